@@ -143,7 +143,8 @@ struct bone_direction {
 // direction.
 //   Zero-length offsets: a child with offset (0, 0, 0) stands at the joint itself, so what that child points
 //   at (its children, else its End Site) stands in its place. An End Site with offset (0, 0, 0) counts as
-//   none. Children whose mean vanishes (shorter than 1e-9 of the mean of the lengths) give no direction.
+//   none. Lengths below 1e-290 count as zero. Children whose mean vanishes (1e-9 of the mean of their
+//   lengths, or less) give no direction.
 // Linear in the joints.
 [[nodiscard]] std::vector<bone_direction> bone_directions(const skeleton& s);
 

@@ -1,0 +1,69 @@
+#ifndef SWIVEL_CLIP_TEXT_CURSOR_HPP
+#define SWIVEL_CLIP_TEXT_CURSOR_HPP
+
+// Walks over a text and knows its line and column; turns tokens into numbers. Private to the readers.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace swivel::clip {
+
+// A piece of a line. Empty text: the end of the line or of the whole text, whichever was asked for.
+struct token {
+    std::string_view text;
+    std::size_t line = 0;
+    std::size_t column = 0;
+};
+
+class text_cursor {
+public:
+    explicit text_cursor(std::string_view text) noexcept : text_(text) {}
+
+    [[nodiscard]] std::size_t remaining() const noexcept { return text_.size() - at_; }
+
+    // The next token on this line or a later one; each character of `singles` is a token of its own.
+    token take(std::string_view singles) noexcept;
+    [[nodiscard]] token peek(std::string_view singles) const noexcept;
+
+    // The next token on this line; empty at the end of the line.
+    token take_on_line() noexcept;
+
+    // The rest of this line up to, not including, the character `stop`, without blanks at its ends.
+    token take_rest_of_line(char stop) noexcept;
+
+    // To the first byte that is neither blank nor a line end; false when there is none.
+    bool skip_to_content() noexcept;
+
+private:
+    void skip_blanks() noexcept;
+    [[nodiscard]] token piece(std::size_t length) const noexcept;
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+    std::size_t line_ = 1;
+    std::size_t line_start_ = 0;
+};
+
+// A number and, when the token is none, the reason, which completes the sentence "'1x0' ...".
+template <class T>
+struct parsed {
+    T value{};
+    std::string_view fault{};
+};
+
+// The whole token as a finite double. Too small for a double is zero of its sign.
+[[nodiscard]] parsed<double> parse_number(std::string_view token) noexcept;
+[[nodiscard]] parsed<std::size_t> parse_count(std::string_view token) noexcept;
+
+[[nodiscard]] bool equals_ignoring_case(std::string_view a, std::string_view b) noexcept;
+
+[[nodiscard]] bool is_blank(char c) noexcept;
+[[nodiscard]] bool is_control(char c) noexcept;
+
+// For messages: in quotes, bytes that a terminal would act on escaped, cut to a readable length.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+}  // namespace swivel::clip
+
+#endif  // SWIVEL_CLIP_TEXT_CURSOR_HPP
