@@ -285,7 +285,7 @@ bool bvh_reader::read_motion_header() {
     if (frames.text.empty()) return fail_unexpected(frames, "the number of frames");
     if (!count.fault.empty())
         return fail(frames, "the number of frames " + quoted(frames.text) + " " + std::string(count.fault),
-                    "a whole number");
+                    "a whole number, 0 or more");
     if (count.value > bvh_max_frames)
         return fail(frames, counted(count.value, "frame"), "at most " + std::to_string(bvh_max_frames));
     clip_.frames = count.value;
@@ -295,13 +295,13 @@ bool bvh_reader::read_motion_header() {
         return false;
     const token time = in_.take(header_singles);
     const parsed<double> seconds = parse_number(time.text);
-    if (time.text.empty()) return fail_unexpected(time, "the seconds of a frame");
+    if (time.text.empty()) return fail_unexpected(time, "a positive number of seconds");
     if (!seconds.fault.empty())
         return fail(time, "the frame time " + quoted(time.text) + " " + std::string(seconds.fault),
-                    "the seconds of a frame");
+                    "a positive number of seconds");
     if (!(seconds.value > 0))
         return fail(time, "the frame time " + quoted(time.text) + " is not positive",
-                    "the seconds of a frame");
+                    "a positive number of seconds");
     clip_.frame_time = seconds.value;
 
     const token rest = in_.take_on_line();
