@@ -36,8 +36,10 @@
 //   - no HIERARCHY first, no ROOT after it, no MOTION after the last root, an unknown keyword anywhere
 //   - a name missing, with a brace or control character (a NUL among them) in it, or given to two joints
 //   - "{" or "}" missing (at the token that stands in its place, or at the end) or one too many
-//   - OFFSET missing (at the token that ends the search: a child, an End Site or "}"), given twice, or with
-//     fewer or more than three numbers; the same for CHANNELS, whose names and count must agree
+//   - OFFSET or CHANNELS missing (at the token that ends the search: a child, an End Site or "}"), or given
+//   twice
+//   - OFFSET with fewer than three numbers (at the keyword) or more (at the fourth)
+//   - CHANNELS without a count (at the keyword), or with fewer or more names than its count (at the count)
 //   - a channel that is unknown or given twice in a joint; a count of more than 6
 //   - a second End Site in a joint; anything but one OFFSET in an End Site
 //   - more than bvh_max_joints joints (that also bounds the nesting)
