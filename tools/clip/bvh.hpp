@@ -17,9 +17,8 @@
 // Text
 //   Tokens are separated by blanks (space, tab, vertical tab, form feed) and line ends; braces need no blanks
 //   around them, nor does the colon. Lines end with LF, CRLF or a bare CR, mixed as they come. A UTF-8 byte
-//   order mark is skipped and not counted as a column. Keywords and channel names are read in any letter
-//   case. name: the rest of the keyword's line up to "{", without blanks at either end, so blanks, dots and
-//   colons
+//   order mark is skipped and not counted as a column. Keywords and channel names: any letter case.
+//   name: the rest of the keyword's line up to "{", without blanks at either end, so blanks, dots and colons
 //     within are part of it; when nothing is left on the line, the next line that is not blank. Any bytes but
 //     braces and control characters (a tab within is kept). Case matters. The name of an End Site is optional
 //     and stands on the line of "End Site" only. Names of joints differ from one another; those of End Sites
@@ -27,8 +26,8 @@
 //   number: decimal with a point, such as -1.5, +2, .0083333, 5., 9.2e-007. What is too small for a double is
 //     read as zero of its sign. count: a whole number without point or exponent.
 //   rows: each row begins on a line of its own, after the line of "Frame Time". It may be wrapped over
-//     several lines. Blank lines are skipped. With no channels in the whole file there are no rows to see,
-//     and "Frames" is taken as it stands.
+//     several lines. Blank lines are skipped. With no channels in the whole file there are no rows to
+//     see, and "Frames" is taken as it stands.
 //   Frames: 0 is a clip without frames: the rest pose, which the hierarchy alone describes.
 //
 // Errors: the first one is reported, at the first byte of the token that is wrong unless said otherwise
@@ -36,8 +35,7 @@
 //   - no HIERARCHY first, no ROOT after it, no MOTION after the last root, an unknown keyword anywhere
 //   - a name missing, with a brace or control character (a NUL among them) in it, or given to two joints
 //   - "{" or "}" missing (at the token that stands in its place, or at the end) or one too many
-//   - OFFSET or CHANNELS missing (at the token that ends the search: a child, an End Site or "}"), or given
-//   twice
+//   - OFFSET or CHANNELS missing (at the child, End Site or "}" that comes before it), or given twice
 //   - OFFSET with fewer than three numbers (at the keyword) or more (at the fourth)
 //   - CHANNELS without a count (at the keyword), or with fewer or more names than its count (at the count)
 //   - a channel that is unknown or given twice in a joint; a count of more than 6
@@ -45,8 +43,8 @@
 //   - more than bvh_max_joints joints (that also bounds the nesting)
 //   - Frames missing, negative, not whole, more than bvh_max_frames
 //   - Frame Time missing, zero, negative, not finite, or followed by something on its line
-//   - a number that is not one as a whole: nan, inf, 1x0, 1,5, 0x10, 1.5e, a NUL within, too large for a
-//   double
+//   - a number that is not one as a whole (1x0, 1,5, 0x10, 1.5e, a NUL within), nan, inf, or too large for a
+//     double
 //   - a row too long: at the first surplus value of the line that begins it
 //   - a row too short: the lines that follow the beginning of a row must complete it exactly. Reported on the
 //     line that begins the row, one past its last value
