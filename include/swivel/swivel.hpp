@@ -1,0 +1,16 @@
+#ifndef SWIVEL_SWIVEL_HPP
+#define SWIVEL_SWIVEL_HPP
+
+// Everything. Conventions and the contract that all operations share are in types.hpp.
+
+#include "swivel/compose.hpp"
+#include "swivel/decompose.hpp"
+#include "swivel/isa.hpp"
+#include "swivel/reference.hpp"
+#include "swivel/swing.hpp"
+#include "swivel/twist.hpp"
+#include "swivel/twist_angle.hpp"
+#include "swivel/types.hpp"
+#include "swivel/version.hpp"
+
+#endif

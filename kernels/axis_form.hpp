@@ -1,0 +1,201 @@
+#ifndef SWIVEL_KERNELS_AXIS_FORM_HPP
+#define SWIVEL_KERNELS_AXIS_FORM_HPP
+
+// The projection of a quaternion on its twist axis, for the three ways in which an axis can be given. decompose,
+// twist, swing and twist_angle are written once over these forms.
+//
+// One body serves both products: exchanging x and y of everything (of the components B and C that are perpendicular
+// to a coordinate axis) is a reflection, and turns q = S T into q = T R. The caller exchanges the pointers. The same
+// way one coordinate form serves x, y and z, which are cyclic names (B, C; A) for one another.
+
+#include "constants.hpp"
+#include "kernel_table.hpp"
+#include "ops.hpp"
+
+namespace swivel {
+namespace {
+
+// T = cosine + sine a, a unit quaternion whatever the length of q.
+template <class V>
+struct half_twist {
+    V cosine, sine;
+};
+
+// The pole is handled here and nowhere else: its elements get the twist copysign(1, w), and all that follows is
+// computed from the masked pair. A NaN or an infinity anywhere in q makes norm_squared times 0, and with it the
+// pair, NaN. What the root is at the pole does not matter; the masks drop it.
+template <precision_index P, class V>
+inline half_twist<V> half_twist_of(V w, V u, V t, V norm_squared, V threshold) noexcept {
+    using T = scalar_of<V>;
+    using M = arithmetic<P>;
+    const V limit = M::multiply_add(threshold, norm_squared, V(constants<T>::pole_floor));
+    const V t_or_nan = M::multiply_add(V(T(0)), norm_squared, t);
+    const mask_of<V> regular = not_less_equal(t_or_nan, limit);
+    const V scale = M::reciprocal_root(t_or_nan);
+    return {product_or(regular, w, scale, one_signed_like(w)), product_or_zero(regular, u, scale)};
+}
+
+// Streams in: B C A w. Uniform: the threshold. Components out in the same order.
+template <precision_index P, class V>
+struct coordinate_form {
+    using T = scalar_of<V>;
+    using M = arithmetic<P>;
+    static constexpr int inputs = 4;
+
+    struct element {
+        V b, c, a, w;
+        V norm_squared;
+    };
+
+    V threshold;
+
+    explicit coordinate_form(const T* uniform) noexcept : threshold(uniform[0]) {}
+
+    static V along_axis(const element& q) noexcept { return q.a; }
+
+    element read(const V* in, half_twist<V>& h) const noexcept {
+        const V b = in[0], c = in[1], a = in[2], w = in[3];
+        const V t = M::multiply_add(a, a, w * w);
+        // Both orders of b and c must give the same bits where the arithmetic is not fused.
+        const V norm_squared = M::fuses ? M::multiply_add(c, c, M::multiply_add(b, b, t)) : (b * b + c * c) + t;
+        h = half_twist_of<P>(w, a, t, norm_squared, threshold);
+        return {b, c, a, w, norm_squared};
+    }
+
+    static void swing(const element& q, const half_twist<V>& h, V* out) noexcept {
+        swing_compact(q, h, out[0], out[1], out[3]);
+        out[2] = zero_or_nan(q);
+    }
+
+    static void swing_compact(const element& q, const half_twist<V>& h, V& s1, V& s2, V& sc) noexcept {
+        s1 = M::negate_multiply_add(h.sine, q.c, h.cosine * q.b);
+        s2 = M::multiply_add(h.sine, q.b, h.cosine * q.c);
+        sc = M::multiply_add(h.sine, q.a, h.cosine * q.w);
+    }
+
+    static void twist(const element& q, const half_twist<V>& h, V* out) noexcept {
+        out[0] = out[1] = zero_or_nan(q);
+        out[2] = h.sine;
+        out[3] = h.cosine;
+    }
+
+    // A component that is 0 by construction is no place for a NaN to vanish in.
+    static V zero_or_nan(const element& q) noexcept { return V(T(0)) * q.norm_squared; }
+};
+
+template <class V>
+struct unit_vector {
+    V x, y, z;
+};
+
+// Streams in: x y z w, components out in the same order. Derived forms say where the axis comes from.
+template <precision_index P, class V>
+struct vector_form {
+    using T = scalar_of<V>;
+    using M = arithmetic<P>;
+
+    struct element {
+        V x, y, z, w, u;
+        unit_vector<V> a;
+    };
+
+    V threshold;
+
+    static V along_axis(const element& q) noexcept { return q.u; }
+
+    element project(const V* in, const unit_vector<V>& a, half_twist<V>& h) const noexcept {
+        const V x = in[0], y = in[1], z = in[2], w = in[3];
+        const V u = M::multiply_add(a.z, z, M::multiply_add(a.y, y, a.x * x));
+        const V w_squared = w * w;
+        const V t = M::multiply_add(u, u, w_squared);
+        // As above: x and y may be exchanged.
+        const V norm_squared = M::fuses ? M::multiply_add(z, z, M::multiply_add(y, y, M::multiply_add(x, x, w_squared)))
+                                        : ((x * x + y * y) + z * z) + w_squared;
+        h = half_twist_of<P>(w, u, t, norm_squared, threshold);
+        return {x, y, z, w, u, a};
+    }
+
+    // S = q T* = (c w + d u, c v - c u a + d a x v). The part c u of v along the axis is written without d, so that
+    // it is taken out at the pole too.
+    static void swing(const element& q, const half_twist<V>& h, V* out) noexcept {
+        const V along = h.cosine * q.u;
+        const V tx = h.sine * q.a.x, ty = h.sine * q.a.y, tz = h.sine * q.a.z;
+        out[0] = swing_component(q.x, q.a.x, ty, q.z, tz, q.y, h, along);
+        out[1] = swing_component(q.y, q.a.y, tz, q.x, tx, q.z, h, along);
+        out[2] = swing_component(q.z, q.a.z, tx, q.y, ty, q.x, h, along);
+        out[3] = M::multiply_add(h.sine, q.u, h.cosine * q.w);
+    }
+
+    // c v - (c u) a + (p q - r s), the last being one component of d a x v.
+    static V swing_component(V v, V a, V p, V q, V r, V s, const half_twist<V>& h, V along) noexcept {
+        const V perpendicular = M::negate_multiply_add(along, a, h.cosine * v);
+        if constexpr (M::fuses)
+            return M::negate_multiply_add(r, s, M::multiply_add(p, q, perpendicular));
+        else
+            return perpendicular + (p * q - r * s);
+    }
+
+    static void twist(const element& q, const half_twist<V>& h, V* out) noexcept {
+        out[0] = h.sine * q.a.x;
+        out[1] = h.sine * q.a.y;
+        out[2] = h.sine * q.a.z;
+        out[3] = h.cosine;
+    }
+};
+
+// Uniform: the threshold and the unit axis.
+template <precision_index P, class V>
+struct uniform_form : vector_form<P, V> {
+    using base = vector_form<P, V>;
+    static constexpr int inputs = 4;
+
+    unit_vector<V> a;
+
+    explicit uniform_form(const scalar_of<V>* uniform) noexcept
+        : base{V(uniform[0])}, a{V(uniform[1]), V(uniform[2]), V(uniform[3])} {}
+
+    typename base::element read(const V* in, half_twist<V>& h) const noexcept {
+        return base::project(in, a, h);
+    }
+};
+
+// Streams in, after those of the quaternion: the axis x y z. Any length from the smallest subnormal number on: a
+// power of two brings the largest component to 2..4 before it is squared. Zero stays zero; NaN and infinity become
+// NaN.
+template <precision_index P, class V>
+struct per_element_form : vector_form<P, V> {
+    using base = vector_form<P, V>;
+    using T = scalar_of<V>;
+    using M = arithmetic<P>;
+    static constexpr int inputs = 7;
+
+    explicit per_element_form(const T* uniform) noexcept : base{V(uniform[0])} {}
+
+    typename base::element read(const V* in, half_twist<V>& h) const noexcept {
+        return base::project(in, normalized(in[4], in[5], in[6]), h);
+    }
+
+    static unit_vector<V> normalized(V x, V y, V z) noexcept {
+        const V scale = reciprocal_power_of_two(larger(larger(magnitude(x), magnitude(y)), magnitude(z)));
+        x = x * scale;
+        y = y * scale;
+        z = z * scale;
+        const V squared = M::fuses ? M::multiply_add(z, z, M::multiply_add(y, y, x * x)) : (x * x + y * y) + z * z;
+        const V root = M::reciprocal_root(larger(V(constants<T>::pole_floor), squared));
+        return {x * root, y * root, z * root};
+    }
+
+    // 2^(1 - e) for 2^e <= a < 2^(e + 1), at most the largest power of two; 0 for infinity and NaN. Inverting the
+    // exponent bits of 2^e does it.
+    static V reciprocal_power_of_two(V a) noexcept {
+        const V exponent_bits(constants<T>::infinity);
+        const V largest(constants<T>::largest_power_of_two);
+        const V inverse = (a & exponent_bits) ^ exponent_bits;
+        return xsimd::select(inverse > largest, largest, inverse);
+    }
+};
+
+}  // namespace
+}  // namespace swivel
+
+#endif

@@ -1,0 +1,58 @@
+#ifndef SWIVEL_KERNELS_KERNEL_TABLE_HPP
+#define SWIVEL_KERNELS_KERNEL_TABLE_HPP
+
+// The interface between src/ (baseline flags) and the kernels of one ISA: plain data and function pointers, no
+// inline function that could be emitted with the wrong instructions.
+
+#include <cstddef>
+
+namespace swivel {
+
+// One call of a kernel: contiguous streams of equal size and a few numbers that are the same for all elements.
+// Which stream is which, and which numbers, is said where the kernel is defined.
+template <class T>
+struct batch {
+    const T* in[9];
+    T* out[9];
+    T uniform[5];
+    std::size_t size;
+};
+
+template <class T>
+using kernel = void (*)(const batch<T>&) noexcept;
+
+enum precision_index { fast_index, reproducible_index, precisions };
+enum axis_form_index { coordinate_index, uniform_index, per_element_index, axis_forms };
+
+// What happens to the sign of the twist: left, made positive, made positive and the flips kept in a stream.
+enum twist_sign { sign_left, sign_positive, sign_kept, twist_signs };
+
+template <class T>
+struct operations {
+    kernel<T> decompose[axis_forms][twist_signs][precisions];
+    kernel<T> decompose_compact[twist_signs][precisions];
+    kernel<T> twist[axis_forms][2][precisions];  // sign_left, sign_positive
+    kernel<T> swing[axis_forms][precisions];
+    kernel<T> twist_angle[axis_forms][2][precisions];
+    kernel<T> compose[2][precisions];  // without, with signs
+    kernel<T> compose_compact[2][precisions];
+
+    // Between an array of quaternions and four streams, component by component in memory order.
+    void (*split_quaternions)(const T* array, T* const streams[4], std::size_t size) noexcept;
+    void (*join_quaternions)(const T* const streams[4], T* array, std::size_t size) noexcept;
+};
+
+struct kernel_table {
+    operations<float> f32;
+    operations<double> f64;
+};
+
+// One table for each ISA that the build contains; defined in isa/<isa>.cpp, listed in src/isa.cpp.
+extern const kernel_table sse2_kernels;
+extern const kernel_table avx2_kernels;
+extern const kernel_table avx512_kernels;
+extern const kernel_table neon64_kernels;
+
+}  // namespace swivel
+
+#endif

@@ -1,0 +1,75 @@
+#ifndef SWIVEL_KERNELS_MAKE_TABLE_HPP
+#define SWIVEL_KERNELS_MAKE_TABLE_HPP
+
+// The kernels of one ISA. isa/<isa>.cpp includes this and defines its table; nothing else there.
+
+#include "compose.hpp"
+#include "decompose.hpp"
+#include "quaternion_array.hpp"
+#include "stream_loop.hpp"
+#include "swing.hpp"
+#include "twist.hpp"
+#include "twist_angle.hpp"
+
+namespace swivel {
+namespace {
+
+template <class V, precision_index P>
+struct fill {
+    using T = scalar_of<V>;
+    using coordinate = coordinate_form<P, V>;
+    using uniform = uniform_form<P, V>;
+    using per_element = per_element_form<P, V>;
+
+    template <class Op>
+    static constexpr kernel<T> loop = stream_loop<V, Op>;
+
+    template <twist_sign S>
+    static constexpr void with_sign(operations<T>& table) {
+        table.decompose[coordinate_index][S][P] = loop<decompose_op<coordinate, S, V>>;
+        table.decompose[uniform_index][S][P] = loop<decompose_op<uniform, S, V>>;
+        table.decompose[per_element_index][S][P] = loop<decompose_op<per_element, S, V>>;
+        table.decompose_compact[S][P] = loop<decompose_compact_op<coordinate, S, V>>;
+        if constexpr (S != sign_kept) {
+            table.twist[coordinate_index][S][P] = loop<twist_op<coordinate, S, V>>;
+            table.twist[uniform_index][S][P] = loop<twist_op<uniform, S, V>>;
+            table.twist[per_element_index][S][P] = loop<twist_op<per_element, S, V>>;
+            table.twist_angle[coordinate_index][S][P] = loop<twist_angle_op<P, coordinate, S, V>>;
+            table.twist_angle[uniform_index][S][P] = loop<twist_angle_op<P, uniform, S, V>>;
+            table.twist_angle[per_element_index][S][P] = loop<twist_angle_op<P, per_element, S, V>>;
+        }
+    }
+
+    static constexpr void all(operations<T>& table) {
+        with_sign<sign_left>(table);
+        with_sign<sign_positive>(table);
+        with_sign<sign_kept>(table);
+        table.swing[coordinate_index][P] = loop<swing_op<coordinate, V>>;
+        table.swing[uniform_index][P] = loop<swing_op<uniform, V>>;
+        table.swing[per_element_index][P] = loop<swing_op<per_element, V>>;
+        table.compose[false][P] = loop<compose_op<P, false, V>>;
+        table.compose[true][P] = loop<compose_op<P, true, V>>;
+        table.compose_compact[false][P] = loop<compose_compact_op<P, false, V>>;
+        table.compose_compact[true][P] = loop<compose_compact_op<P, true, V>>;
+    }
+};
+
+template <class V>
+constexpr operations<scalar_of<V>> make_operations() {
+    operations<scalar_of<V>> table{};
+    fill<V, fast_index>::all(table);
+    fill<V, reproducible_index>::all(table);
+    table.split_quaternions = split_quaternions<V>;
+    table.join_quaternions = join_quaternions<V>;
+    return table;
+}
+
+template <class Arch>
+constexpr kernel_table make_table() {
+    return {make_operations<xsimd::batch<float, Arch>>(), make_operations<xsimd::batch<double, Arch>>()};
+}
+
+}  // namespace
+}  // namespace swivel
+
+#endif

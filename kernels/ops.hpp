@@ -1,0 +1,465 @@
+#ifndef SWIVEL_KERNELS_OPS_HPP
+#define SWIVEL_KERNELS_OPS_HPP
+
+// What the kernels need from a vector register, and the only file with intrinsics: the differences between ISAs,
+// and between xsimd releases, end here. Everything is in the unnamed namespace, since an inline function that two
+// ISAs shared by name could be kept by the linker with the instructions of the wrong one.
+
+#include <cstddef>
+#include <cstdint>
+#include <xsimd/xsimd.hpp>
+
+namespace swivel {
+namespace {
+
+template <class V>
+using scalar_of = typename V::value_type;
+
+template <class V>
+using mask_of = typename V::batch_bool_type;
+
+#if defined(__AVX512F__)
+
+// xsimd 8.1.0 does not fuse here, and has no rsqrt.
+template <class A>
+inline xsimd::batch<float, A> fused_multiply_add(xsimd::batch<float, A> a, xsimd::batch<float, A> b,
+                                                 xsimd::batch<float, A> c) noexcept {
+    return xsimd::batch<float, A>(_mm512_fmadd_ps(a, b, c));
+}
+template <class A>
+inline xsimd::batch<double, A> fused_multiply_add(xsimd::batch<double, A> a, xsimd::batch<double, A> b,
+                                                  xsimd::batch<double, A> c) noexcept {
+    return xsimd::batch<double, A>(_mm512_fmadd_pd(a, b, c));
+}
+template <class A>
+inline xsimd::batch<float, A> fused_negate_multiply_add(xsimd::batch<float, A> a, xsimd::batch<float, A> b,
+                                                        xsimd::batch<float, A> c) noexcept {
+    return xsimd::batch<float, A>(_mm512_fnmadd_ps(a, b, c));
+}
+template <class A>
+inline xsimd::batch<double, A> fused_negate_multiply_add(xsimd::batch<double, A> a, xsimd::batch<double, A> b,
+                                                         xsimd::batch<double, A> c) noexcept {
+    return xsimd::batch<double, A>(_mm512_fnmadd_pd(a, b, c));
+}
+template <class A>
+inline xsimd::batch<float, A> rsqrt_estimate(xsimd::batch<float, A> t) noexcept {
+    return xsimd::batch<float, A>(_mm512_rsqrt14_ps(t));
+}
+template <class A>
+inline xsimd::batch<double, A> rsqrt_estimate(xsimd::batch<double, A> t) noexcept {
+    return xsimd::batch<double, A>(_mm512_rsqrt14_pd(t));
+}
+inline constexpr bool has_fma = true;
+template <class T>
+inline constexpr int newton_steps = sizeof(T) == 4 ? 1 : 2;
+
+#elif defined(__SSE2__)
+
+template <class A>
+inline xsimd::batch<float, A> rsqrt_estimate(xsimd::batch<float, A> t) noexcept {
+    if constexpr (xsimd::batch<float, A>::size == 4)
+        return xsimd::batch<float, A>(_mm_rsqrt_ps(t));
+#if defined(__AVX2__)
+    else
+        return xsimd::batch<float, A>(_mm256_rsqrt_ps(t));
+#endif
+}
+// There is no estimate for double, and one by way of float has neither the range nor, after the steps that it
+// needs, the speed of a square root and a division.
+template <class T>
+inline constexpr int newton_steps = sizeof(T) == 4 ? 1 : -1;
+
+#if defined(__FMA__)
+inline constexpr bool has_fma = true;
+template <class V>
+inline V fused_multiply_add(V a, V b, V c) noexcept {
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(_mm256_fmadd_ps(a, b, c));
+    else
+        return V(_mm256_fmadd_pd(a, b, c));
+}
+template <class V>
+inline V fused_negate_multiply_add(V a, V b, V c) noexcept {
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(_mm256_fnmadd_ps(a, b, c));
+    else
+        return V(_mm256_fnmadd_pd(a, b, c));
+}
+#else
+inline constexpr bool has_fma = false;
+#endif
+
+#elif defined(__aarch64__)
+
+template <class A>
+inline xsimd::batch<float, A> fused_multiply_add(xsimd::batch<float, A> a, xsimd::batch<float, A> b,
+                                                 xsimd::batch<float, A> c) noexcept {
+    return xsimd::batch<float, A>(vfmaq_f32(c, a, b));
+}
+template <class A>
+inline xsimd::batch<double, A> fused_multiply_add(xsimd::batch<double, A> a, xsimd::batch<double, A> b,
+                                                  xsimd::batch<double, A> c) noexcept {
+    return xsimd::batch<double, A>(vfmaq_f64(c, a, b));
+}
+template <class A>
+inline xsimd::batch<float, A> fused_negate_multiply_add(xsimd::batch<float, A> a, xsimd::batch<float, A> b,
+                                                        xsimd::batch<float, A> c) noexcept {
+    return xsimd::batch<float, A>(vfmsq_f32(c, a, b));
+}
+template <class A>
+inline xsimd::batch<double, A> fused_negate_multiply_add(xsimd::batch<double, A> a, xsimd::batch<double, A> b,
+                                                         xsimd::batch<double, A> c) noexcept {
+    return xsimd::batch<double, A>(vfmsq_f64(c, a, b));
+}
+template <class A>
+inline xsimd::batch<float, A> rsqrt_estimate(xsimd::batch<float, A> t) noexcept {
+    return xsimd::batch<float, A>(vrsqrteq_f32(t));
+}
+template <class A>
+inline xsimd::batch<double, A> rsqrt_estimate(xsimd::batch<double, A> t) noexcept {
+    return xsimd::batch<double, A>(vrsqrteq_f64(t));
+}
+inline constexpr bool has_fma = true;
+// The estimate has only 8 bits.
+template <class T>
+inline constexpr int newton_steps = sizeof(T) == 4 ? 2 : 3;
+
+#endif
+
+// Correctly rounded on every ISA: xsimd's float versions for NEON are Newton approximations.
+template <class V>
+inline V square_root_of(V a) noexcept {
+#if defined(__aarch64__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(vsqrtq_f32(a));
+    else
+        return V(vsqrtq_f64(a));
+#else
+    return xsimd::sqrt(a);
+#endif
+}
+
+template <class V>
+inline V quotient(V a, V b) noexcept {
+#if defined(__aarch64__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(vdivq_f32(a, b));
+    else
+        return V(vdivq_f64(a, b));
+#else
+    return a / b;
+#endif
+}
+
+template <class V>
+inline V sign_of(V a) noexcept {
+    return a & V(scalar_of<V>(-0.0));
+}
+
+template <class V>
+inline V magnitude(V a) noexcept {
+    return xsimd::bitwise_andnot(a, V(scalar_of<V>(-0.0)));
+}
+
+// 1 with the sign of a.
+template <class V>
+inline V one_signed_like(V a) noexcept {
+    return sign_of(a) | V(scalar_of<V>(1));
+}
+
+// The larger one; b where either is NaN. NEON and x86 differ in what max does with NaN, a select does not.
+template <class V>
+inline V larger(V a, V b) noexcept {
+    return xsimd::select(a > b, a, b);
+}
+
+// not (a <= b): true where either is NaN.
+template <class V>
+inline mask_of<V> not_less_equal(V a, V b) noexcept {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return mask_of<V>(_mm512_cmp_ps_mask(a, b, _CMP_NLE_UQ));
+    else
+        return mask_of<V>(_mm512_cmp_pd_mask(a, b, _CMP_NLE_UQ));
+#elif defined(__AVX2__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return mask_of<V>(_mm256_cmp_ps(a, b, _CMP_NLE_UQ));
+    else
+        return mask_of<V>(_mm256_cmp_pd(a, b, _CMP_NLE_UQ));
+#elif defined(__SSE2__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return mask_of<V>(_mm_cmpnle_ps(a, b));
+    else
+        return mask_of<V>(_mm_cmpnle_pd(a, b));
+#else
+    return ~(a <= b);
+#endif
+}
+
+// m ? a b : other
+template <class V>
+inline V product_or(mask_of<V> m, V a, V b, V other) noexcept {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(_mm512_mask_mul_ps(other, m, a, b));
+    else
+        return V(_mm512_mask_mul_pd(other, m, a, b));
+#else
+    return xsimd::select(m, a * b, other);
+#endif
+}
+
+// m ? a b : 0
+template <class V>
+inline V product_or_zero(mask_of<V> m, V a, V b) noexcept {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(_mm512_maskz_mul_ps(m, a, b));
+    else
+        return V(_mm512_maskz_mul_pd(m, a, b));
+#else
+    return xsimd::select(m, a * b, V(scalar_of<V>(0)));
+#endif
+}
+
+// Arithmetic of one precision: the formulas are written once over these names.
+template <precision_index P>
+struct arithmetic {
+    static constexpr bool fuses = P == fast_index && has_fma;
+
+    // a b + c
+    template <class V>
+    static V multiply_add(V a, V b, V c) noexcept {
+        if constexpr (fuses)
+            return fused_multiply_add(a, b, c);
+        else
+            return a * b + c;
+    }
+
+    // c - a b
+    template <class V>
+    static V negate_multiply_add(V a, V b, V c) noexcept {
+        if constexpr (fuses)
+            return fused_negate_multiply_add(a, b, c);
+        else
+            return c - a * b;
+    }
+
+    // 1 / sqrt(t) for t in the normal range, NaN for NaN; anything for the rest, which callers mask.
+    template <class V>
+    static V reciprocal_root(V t) noexcept {
+        using T = scalar_of<V>;
+        if constexpr (P == reproducible_index || newton_steps<T> < 0) {
+            return quotient(V(T(1)), square_root_of(t));
+        } else {
+            V y = rsqrt_estimate(t);
+            for (int step = 0; step < newton_steps<T>; ++step) {
+                const V residual = negate_multiply_add(t * y, y, V(T(1)));
+                y = multiply_add(V(T(0.5)) * y, residual, y);
+            }
+            return y;
+        }
+    }
+};
+
+// The first `count` lanes from memory, 1 in the others: a value that takes the regular way through every kernel.
+template <class V>
+inline V load_first(const scalar_of<V>* from, std::size_t count) noexcept {
+    using T = scalar_of<V>;
+#if defined(__AVX512F__)
+    if constexpr (sizeof(T) == 4)
+        return V(_mm512_mask_loadu_ps(V(T(1)), static_cast<__mmask16>((1U << count) - 1U), from));
+    else
+        return V(_mm512_mask_loadu_pd(V(T(1)), static_cast<__mmask8>((1U << count) - 1U), from));
+#else
+    alignas(V) T block[V::size];
+    V(T(1)).store_aligned(block);
+    for (std::size_t i = 0; i < count; ++i) block[i] = from[i];
+    return V::load_aligned(block);
+#endif
+}
+
+template <class V>
+inline void store_first(V a, scalar_of<V>* to, std::size_t count) noexcept {
+    using T = scalar_of<V>;
+#if defined(__AVX512F__)
+    if constexpr (sizeof(T) == 4)
+        _mm512_mask_storeu_ps(to, static_cast<__mmask16>((1U << count) - 1U), a);
+    else
+        _mm512_mask_storeu_pd(to, static_cast<__mmask8>((1U << count) - 1U), a);
+#else
+    alignas(V) T block[V::size];
+    a.store_aligned(block);
+    for (std::size_t i = 0; i < count; ++i) to[i] = block[i];
+#endif
+}
+
+// V::size quaternions from an array to one register for each component, in memory order, and back.
+#if defined(__AVX512F__)
+
+template <class A>
+inline void load_quaternions(const float* from, xsimd::batch<float, A> (&c)[4]) noexcept {
+    const __m512 r0 = _mm512_loadu_ps(from), r1 = _mm512_loadu_ps(from + 16);
+    const __m512 r2 = _mm512_loadu_ps(from + 32), r3 = _mm512_loadu_ps(from + 48);
+    const __m512i first = _mm512_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28, 1, 5, 9, 13, 17, 21, 25, 29);
+    const __m512i second = _mm512_setr_epi32(2, 6, 10, 14, 18, 22, 26, 30, 3, 7, 11, 15, 19, 23, 27, 31);
+    const __m512 low01 = _mm512_permutex2var_ps(r0, first, r1), low23 = _mm512_permutex2var_ps(r2, first, r3);
+    const __m512 high01 = _mm512_permutex2var_ps(r0, second, r1), high23 = _mm512_permutex2var_ps(r2, second, r3);
+    c[0] = _mm512_shuffle_f32x4(low01, low23, 0x44);
+    c[1] = _mm512_shuffle_f32x4(low01, low23, 0xee);
+    c[2] = _mm512_shuffle_f32x4(high01, high23, 0x44);
+    c[3] = _mm512_shuffle_f32x4(high01, high23, 0xee);
+}
+template <class A>
+inline void store_quaternions(const xsimd::batch<float, A> (&c)[4], float* to) noexcept {
+    const __m512 low01 = _mm512_shuffle_f32x4(c[0], c[1], 0x44), low23 = _mm512_shuffle_f32x4(c[0], c[1], 0xee);
+    const __m512 high01 = _mm512_shuffle_f32x4(c[2], c[3], 0x44), high23 = _mm512_shuffle_f32x4(c[2], c[3], 0xee);
+    const __m512i first = _mm512_setr_epi32(0, 8, 16, 24, 1, 9, 17, 25, 2, 10, 18, 26, 3, 11, 19, 27);
+    const __m512i second = _mm512_setr_epi32(4, 12, 20, 28, 5, 13, 21, 29, 6, 14, 22, 30, 7, 15, 23, 31);
+    _mm512_storeu_ps(to, _mm512_permutex2var_ps(low01, first, high01));
+    _mm512_storeu_ps(to + 16, _mm512_permutex2var_ps(low01, second, high01));
+    _mm512_storeu_ps(to + 32, _mm512_permutex2var_ps(low23, first, high23));
+    _mm512_storeu_ps(to + 48, _mm512_permutex2var_ps(low23, second, high23));
+}
+template <class A>
+inline void load_quaternions(const double* from, xsimd::batch<double, A> (&c)[4]) noexcept {
+    const __m512d r0 = _mm512_loadu_pd(from), r1 = _mm512_loadu_pd(from + 8);
+    const __m512d r2 = _mm512_loadu_pd(from + 16), r3 = _mm512_loadu_pd(from + 24);
+    const __m512i first = _mm512_setr_epi64(0, 4, 8, 12, 1, 5, 9, 13);
+    const __m512i second = _mm512_setr_epi64(2, 6, 10, 14, 3, 7, 11, 15);
+    const __m512d low01 = _mm512_permutex2var_pd(r0, first, r1), low23 = _mm512_permutex2var_pd(r2, first, r3);
+    const __m512d high01 = _mm512_permutex2var_pd(r0, second, r1), high23 = _mm512_permutex2var_pd(r2, second, r3);
+    c[0] = _mm512_shuffle_f64x2(low01, low23, 0x44);
+    c[1] = _mm512_shuffle_f64x2(low01, low23, 0xee);
+    c[2] = _mm512_shuffle_f64x2(high01, high23, 0x44);
+    c[3] = _mm512_shuffle_f64x2(high01, high23, 0xee);
+}
+template <class A>
+inline void store_quaternions(const xsimd::batch<double, A> (&c)[4], double* to) noexcept {
+    const __m512d low01 = _mm512_shuffle_f64x2(c[0], c[1], 0x44), low23 = _mm512_shuffle_f64x2(c[0], c[1], 0xee);
+    const __m512d high01 = _mm512_shuffle_f64x2(c[2], c[3], 0x44), high23 = _mm512_shuffle_f64x2(c[2], c[3], 0xee);
+    const __m512i first = _mm512_setr_epi64(0, 4, 8, 12, 1, 5, 9, 13);
+    const __m512i second = _mm512_setr_epi64(2, 6, 10, 14, 3, 7, 11, 15);
+    _mm512_storeu_pd(to, _mm512_permutex2var_pd(low01, first, high01));
+    _mm512_storeu_pd(to + 8, _mm512_permutex2var_pd(low01, second, high01));
+    _mm512_storeu_pd(to + 16, _mm512_permutex2var_pd(low23, first, high23));
+    _mm512_storeu_pd(to + 24, _mm512_permutex2var_pd(low23, second, high23));
+}
+
+#elif defined(__AVX2__)
+
+// Halves that are four quaternions apart, so that shuffles within the halves leave the components in order.
+inline __m256 halves(const float* low, const float* high) noexcept {
+    return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(low)), _mm_loadu_ps(high), 1);
+}
+inline void store_halves(__m256 a, float* low, float* high) noexcept {
+    _mm_storeu_ps(low, _mm256_castps256_ps128(a));
+    _mm_storeu_ps(high, _mm256_extractf128_ps(a, 1));
+}
+template <class A>
+inline void load_quaternions(const float* from, xsimd::batch<float, A> (&c)[4]) noexcept {
+    const __m256 r0 = halves(from, from + 16), r1 = halves(from + 4, from + 20);
+    const __m256 r2 = halves(from + 8, from + 24), r3 = halves(from + 12, from + 28);
+    const __m256 low01 = _mm256_unpacklo_ps(r0, r1), low23 = _mm256_unpacklo_ps(r2, r3);
+    const __m256 high01 = _mm256_unpackhi_ps(r0, r1), high23 = _mm256_unpackhi_ps(r2, r3);
+    c[0] = _mm256_shuffle_ps(low01, low23, 0x44);
+    c[1] = _mm256_shuffle_ps(low01, low23, 0xee);
+    c[2] = _mm256_shuffle_ps(high01, high23, 0x44);
+    c[3] = _mm256_shuffle_ps(high01, high23, 0xee);
+}
+template <class A>
+inline void store_quaternions(const xsimd::batch<float, A> (&c)[4], float* to) noexcept {
+    const __m256 low01 = _mm256_unpacklo_ps(c[0], c[1]), low23 = _mm256_unpacklo_ps(c[2], c[3]);
+    const __m256 high01 = _mm256_unpackhi_ps(c[0], c[1]), high23 = _mm256_unpackhi_ps(c[2], c[3]);
+    store_halves(_mm256_shuffle_ps(low01, low23, 0x44), to, to + 16);
+    store_halves(_mm256_shuffle_ps(low01, low23, 0xee), to + 4, to + 20);
+    store_halves(_mm256_shuffle_ps(high01, high23, 0x44), to + 8, to + 24);
+    store_halves(_mm256_shuffle_ps(high01, high23, 0xee), to + 12, to + 28);
+}
+inline void transpose(const __m256d (&r)[4], __m256d (&c)[4]) noexcept {
+    const __m256d low01 = _mm256_unpacklo_pd(r[0], r[1]), low23 = _mm256_unpacklo_pd(r[2], r[3]);
+    const __m256d high01 = _mm256_unpackhi_pd(r[0], r[1]), high23 = _mm256_unpackhi_pd(r[2], r[3]);
+    c[0] = _mm256_permute2f128_pd(low01, low23, 0x20);
+    c[1] = _mm256_permute2f128_pd(high01, high23, 0x20);
+    c[2] = _mm256_permute2f128_pd(low01, low23, 0x31);
+    c[3] = _mm256_permute2f128_pd(high01, high23, 0x31);
+}
+template <class A>
+inline void load_quaternions(const double* from, xsimd::batch<double, A> (&c)[4]) noexcept {
+    __m256d t[4];
+    transpose({_mm256_loadu_pd(from), _mm256_loadu_pd(from + 4), _mm256_loadu_pd(from + 8), _mm256_loadu_pd(from + 12)},
+              t);
+    for (int k = 0; k < 4; ++k) c[k] = t[k];
+}
+template <class A>
+inline void store_quaternions(const xsimd::batch<double, A> (&c)[4], double* to) noexcept {
+    __m256d t[4];
+    transpose({c[0], c[1], c[2], c[3]}, t);
+    for (int k = 0; k < 4; ++k) _mm256_storeu_pd(to + 4 * k, t[k]);
+}
+
+#elif defined(__SSE2__)
+
+inline void transpose(const __m128 (&r)[4], __m128 (&c)[4]) noexcept {
+    const __m128 low01 = _mm_unpacklo_ps(r[0], r[1]), low23 = _mm_unpacklo_ps(r[2], r[3]);
+    const __m128 high01 = _mm_unpackhi_ps(r[0], r[1]), high23 = _mm_unpackhi_ps(r[2], r[3]);
+    c[0] = _mm_movelh_ps(low01, low23);
+    c[1] = _mm_movehl_ps(low23, low01);
+    c[2] = _mm_movelh_ps(high01, high23);
+    c[3] = _mm_movehl_ps(high23, high01);
+}
+template <class A>
+inline void load_quaternions(const float* from, xsimd::batch<float, A> (&c)[4]) noexcept {
+    __m128 t[4];
+    transpose({_mm_loadu_ps(from), _mm_loadu_ps(from + 4), _mm_loadu_ps(from + 8), _mm_loadu_ps(from + 12)}, t);
+    for (int k = 0; k < 4; ++k) c[k] = t[k];
+}
+template <class A>
+inline void store_quaternions(const xsimd::batch<float, A> (&c)[4], float* to) noexcept {
+    __m128 t[4];
+    transpose({c[0], c[1], c[2], c[3]}, t);
+    for (int k = 0; k < 4; ++k) _mm_storeu_ps(to + 4 * k, t[k]);
+}
+template <class A>
+inline void load_quaternions(const double* from, xsimd::batch<double, A> (&c)[4]) noexcept {
+    for (int k = 0; k < 4; k += 2) {
+        const __m128d r0 = _mm_loadu_pd(from + k), r1 = _mm_loadu_pd(from + 4 + k);
+        c[k] = _mm_unpacklo_pd(r0, r1);
+        c[k + 1] = _mm_unpackhi_pd(r0, r1);
+    }
+}
+template <class A>
+inline void store_quaternions(const xsimd::batch<double, A> (&c)[4], double* to) noexcept {
+    for (int k = 0; k < 4; k += 2) {
+        _mm_storeu_pd(to + k, _mm_unpacklo_pd(c[k], c[k + 1]));
+        _mm_storeu_pd(to + 4 + k, _mm_unpackhi_pd(c[k], c[k + 1]));
+    }
+}
+
+#elif defined(__aarch64__)
+
+template <class A>
+inline void load_quaternions(const float* from, xsimd::batch<float, A> (&c)[4]) noexcept {
+    const float32x4x4_t r = vld4q_f32(from);
+    for (int k = 0; k < 4; ++k) c[k] = r.val[k];
+}
+template <class A>
+inline void store_quaternions(const xsimd::batch<float, A> (&c)[4], float* to) noexcept {
+    vst4q_f32(to, float32x4x4_t{{c[0], c[1], c[2], c[3]}});
+}
+template <class A>
+inline void load_quaternions(const double* from, xsimd::batch<double, A> (&c)[4]) noexcept {
+    const float64x2x4_t r = vld4q_f64(from);
+    for (int k = 0; k < 4; ++k) c[k] = r.val[k];
+}
+template <class A>
+inline void store_quaternions(const xsimd::batch<double, A> (&c)[4], double* to) noexcept {
+    vst4q_f64(to, float64x2x4_t{{c[0], c[1], c[2], c[3]}});
+}
+
+#endif
+
+}  // namespace
+}  // namespace swivel
+
+#endif

@@ -1,0 +1,26 @@
+#ifndef SWIVEL_KERNELS_SWING_HPP
+#define SWIVEL_KERNELS_SWING_HPP
+
+#include "axis_form.hpp"
+
+namespace swivel {
+namespace {
+
+// Streams in: those of the form. Out: four, in the order of the form.
+template <class Form, class V>
+struct swing_op : Form {
+    static constexpr int outputs = 4;
+
+    using Form::Form;
+
+    void operator()(const V* in, V* out) const noexcept {
+        half_twist<V> h;
+        const auto q = this->read(in, h);
+        Form::swing(q, h, out);
+    }
+};
+
+}  // namespace
+}  // namespace swivel
+
+#endif

@@ -1,0 +1,26 @@
+#ifndef SWIVEL_KERNELS_TWIST_HPP
+#define SWIVEL_KERNELS_TWIST_HPP
+
+#include "decompose.hpp"
+
+namespace swivel {
+namespace {
+
+// Streams in: those of the form. Out: four, in the order of the form.
+template <class Form, twist_sign Sign, class V>
+struct twist_op : Form {
+    static constexpr int outputs = 4;
+
+    using Form::Form;
+
+    void operator()(const V* in, V* out) const noexcept {
+        half_twist<V> h;
+        const auto q = this->read(in, h);
+        Form::twist(q, Sign == sign_left ? h : positive(h, q.w), out);
+    }
+};
+
+}  // namespace
+}  // namespace swivel
+
+#endif

@@ -1,0 +1,32 @@
+#ifndef SWIVEL_KERNELS_TWIST_ANGLE_HPP
+#define SWIVEL_KERNELS_TWIST_ANGLE_HPP
+
+#include "atan2.hpp"
+#include "decompose.hpp"
+
+namespace swivel {
+namespace {
+
+// Streams in: those of the form. Out: the angle.
+template <precision_index P, class Form, twist_sign Sign, class V>
+struct twist_angle_op : Form {
+    static constexpr int outputs = 1;
+
+    using Form::Form;
+
+    void operator()(const V* in, V* out) const noexcept {
+        using T = scalar_of<V>;
+        half_twist<V> h;
+        const auto q = this->read(in, h);
+        if constexpr (Sign != sign_left) h = positive(h, q.w);
+        // A sine of -0 next to a negative cosine would be the angle -2 pi, which is outside the range.
+        const V sine = h.sine + V(T(0));
+        const V half = atan2_of<P>(sine, h.cosine);
+        out[0] = half + half;
+    }
+};
+
+}  // namespace
+}  // namespace swivel
+
+#endif

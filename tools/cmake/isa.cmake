@@ -1,0 +1,61 @@
+# The ISAs of the build: one row each, "name;processor pattern;flags". Each becomes an OBJECT library with flags of
+# its own, whose objects go into the static library; the rest of the library has the baseline flags.
+
+set(swivel_isa_rows
+    "sse2|x86_64|-msse2"
+    "avx2|x86_64|-mavx2 -mfma"
+    "avx512|x86_64|-mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx512vl -mfma"
+    "neon64|aarch64|")
+
+string(TOLOWER "${CMAKE_SYSTEM_PROCESSOR}" swivel_processor)
+if(swivel_processor MATCHES "^(amd64|x64)$")
+    set(swivel_processor x86_64)
+elseif(swivel_processor MATCHES "^arm64$")
+    set(swivel_processor aarch64)
+endif()
+
+# xsimd is header only, and Debian's CMake target for it asks for a library that is not there. Naming its folder as
+# an include directory would put all of /usr/include in front of the compiler's own headers, so a folder with
+# nothing but a link to xsimd is used.
+find_path(SWIVEL_XSIMD_INCLUDE_DIR xsimd/xsimd.hpp
+    PATHS /usr/include NO_CMAKE_FIND_ROOT_PATH DOC "Folder that contains xsimd/xsimd.hpp (libxsimd-dev)")
+if(NOT SWIVEL_XSIMD_INCLUDE_DIR)
+    message(FATAL_ERROR "xsimd/xsimd.hpp not found: install libxsimd-dev, or set SWIVEL_XSIMD_INCLUDE_DIR")
+endif()
+set(swivel_xsimd "${CMAKE_CURRENT_BINARY_DIR}/xsimd_only")
+file(MAKE_DIRECTORY "${swivel_xsimd}")
+file(CREATE_LINK "${SWIVEL_XSIMD_INCLUDE_DIR}/xsimd" "${swivel_xsimd}/xsimd" SYMBOLIC)
+
+# gcc 12 warns of the uninitialised operand that its own AVX-512 intrinsics use on purpose (GCC bug 105593).
+set(swivel_kernel_warnings "")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    set(swivel_kernel_warnings -Wno-uninitialized -Wno-maybe-uninitialized)
+endif()
+
+# Adds the kernels of every ISA that the processor has to the target.
+function(swivel_add_kernels target)
+    foreach(row IN LISTS swivel_isa_rows)
+        string(REPLACE "|" ";" row "${row}")
+        list(GET row 0 isa)
+        list(GET row 1 processor)
+        list(GET row 2 flags)
+        if(NOT swivel_processor STREQUAL processor)
+            continue()
+        endif()
+        separate_arguments(flags)
+        add_library(swivel_${isa} OBJECT kernels/isa/${isa}.cpp)
+        target_compile_features(swivel_${isa} PRIVATE cxx_std_20)
+        target_include_directories(swivel_${isa} SYSTEM PRIVATE "${swivel_xsimd}")
+        # Always -O2, also in a debug build: without inlining, functions of xsimd are emitted under names that two
+        # ISAs share, and the linker keeps either. No exceptions and no link-time optimisation for the same reason.
+        target_compile_options(swivel_${isa} PRIVATE
+            ${swivel_warnings} ${swivel_kernel_warnings} ${flags}
+            -O2 -ffp-contract=off -fno-exceptions -fno-rtti -fno-math-errno -fno-lto)
+        set_target_properties(swivel_${isa} PROPERTIES
+            POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF INTERPROCEDURAL_OPTIMIZATION OFF
+            CXX_VISIBILITY_PRESET hidden)
+        target_sources(${target} PRIVATE $<TARGET_OBJECTS:swivel_${isa}>)
+        string(TOUPPER ${isa} upper)
+        target_compile_definitions(${target} PRIVATE SWIVEL_HAS_${upper})
+    endforeach()
+endfunction()
