@@ -16,10 +16,10 @@ inline V polynomial(V x, const scalar_of<V> (&c)[N]) noexcept {
         return M::multiply_add(polynomial<M, K + 1>(x, c), x, V(c[K]));
 }
 
-// The angle of the point (x, y), in [-pi, pi], for points that are not (0, 0): no libm gives the same bits on two
-// systems. The quotient of the smaller by the larger coordinate is brought to at most tan(pi/8) by turning the
-// point back by pi/4, so that a short polynomial serves; the angle is then k pi/4 plus or minus its value, with
-// k pi/4 in two parts of which the first is exact.
+// The angle of the point (x, y), in [-pi, pi], for points that are not (0, 0): no libm gives the same bits on
+// two systems. The quotient of the smaller by the larger coordinate is brought to at most tan(pi/8) by
+// turning the point back by pi/4, so that a short polynomial serves; the angle is then k pi/4 plus or minus
+// its value, with k pi/4 in two parts of which the first is exact.
 template <precision_index P, class V>
 inline V atan2_of(V y, V x) noexcept {
     using T = scalar_of<V>;
@@ -31,7 +31,8 @@ inline V atan2_of(V y, V x) noexcept {
     const V small = xsimd::select(steep, ax, ay);
     const V large = xsimd::select(steep, ay, ax);
     const mask_of<V> turned = small > V(C::tan_eighth_pi) * large;
-    const V z = quotient(xsimd::select(turned, small - large, small), xsimd::select(turned, small + large, large));
+    const V z =
+        quotient(xsimd::select(turned, small - large, small), xsimd::select(turned, small + large, large));
 
     const V s = z * z;
     V rest = M::multiply_add(z * s, polynomial<M>(s, C::atan), z);

@@ -1,12 +1,13 @@
 #ifndef SWIVEL_KERNELS_AXIS_FORM_HPP
 #define SWIVEL_KERNELS_AXIS_FORM_HPP
 
-// The projection of a quaternion on its twist axis, for the three ways in which an axis can be given. decompose,
-// twist, swing and twist_angle are written once over these forms.
+// The projection of a quaternion on its twist axis, for the three ways in which an axis can be given.
+// decompose, twist, swing and twist_angle are written once over these forms.
 //
-// One body serves both products: exchanging x and y of everything (of the components B and C that are perpendicular
-// to a coordinate axis) is a reflection, and turns q = S T into q = T R. The caller exchanges the pointers. The same
-// way one coordinate form serves x, y and z, which are cyclic names (B, C; A) for one another.
+// One body serves both products: exchanging x and y of everything (of the components B and C that are
+// perpendicular to a coordinate axis) is a reflection, and turns q = S T into q = T R. The caller exchanges
+// the pointers. The same way one coordinate form serves x, y and z, which are cyclic names (B, C; A) for one
+// another.
 
 #include "constants.hpp"
 #include "kernel_table.hpp"
@@ -21,9 +22,9 @@ struct half_twist {
     V cosine, sine;
 };
 
-// The pole is handled here and nowhere else: its elements get the twist copysign(1, w), and all that follows is
-// computed from the masked pair. A NaN or an infinity anywhere in q makes norm_squared times 0, and with it the
-// pair, NaN. What the root is at the pole does not matter; the masks drop it.
+// The pole is handled here and nowhere else: its elements get the twist copysign(1, w), and all that follows
+// is computed from the masked pair. A NaN or an infinity anywhere in q makes norm_squared times 0, and with
+// it the pair, NaN. What the root is at the pole does not matter; the masks drop it.
 template <precision_index P, class V>
 inline half_twist<V> half_twist_of(V w, V u, V t, V norm_squared, V threshold) noexcept {
     using T = scalar_of<V>;
@@ -57,7 +58,8 @@ struct coordinate_form {
         const V b = in[0], c = in[1], a = in[2], w = in[3];
         const V t = M::multiply_add(a, a, w * w);
         // Both orders of b and c must give the same bits where the arithmetic is not fused.
-        const V norm_squared = M::fuses ? M::multiply_add(c, c, M::multiply_add(b, b, t)) : (b * b + c * c) + t;
+        const V norm_squared =
+            M::fuses ? M::multiply_add(c, c, M::multiply_add(b, b, t)) : (b * b + c * c) + t;
         h = half_twist_of<P>(w, a, t, norm_squared, threshold);
         return {b, c, a, w, norm_squared};
     }
@@ -109,14 +111,15 @@ struct vector_form {
         const V w_squared = w * w;
         const V t = M::multiply_add(u, u, w_squared);
         // As above: x and y may be exchanged.
-        const V norm_squared = M::fuses ? M::multiply_add(z, z, M::multiply_add(y, y, M::multiply_add(x, x, w_squared)))
-                                        : ((x * x + y * y) + z * z) + w_squared;
+        const V norm_squared =
+            M::fuses ? M::multiply_add(z, z, M::multiply_add(y, y, M::multiply_add(x, x, w_squared)))
+                     : ((x * x + y * y) + z * z) + w_squared;
         h = half_twist_of<P>(w, u, t, norm_squared, threshold);
         return {x, y, z, w, u, a};
     }
 
-    // S = q T* = (c w + d u, c v - c u a + d a x v). The part c u of v along the axis is written without d, so that
-    // it is taken out at the pole too.
+    // S = q T* = (c w + d u, c v - c u a + d a x v). The part c u of v along the axis is written without d,
+    // so that it is taken out at the pole too.
     static void swing(const element& q, const half_twist<V>& h, V* out) noexcept {
         const V along = h.cosine * q.u;
         const V tx = h.sine * q.a.x, ty = h.sine * q.a.y, tz = h.sine * q.a.z;
@@ -159,9 +162,9 @@ struct uniform_form : vector_form<P, V> {
     }
 };
 
-// Streams in, after those of the quaternion: the axis x y z. Any length from the smallest subnormal number on: a
-// power of two brings the largest component to 2..4 before it is squared. Zero stays zero; NaN and infinity become
-// NaN.
+// Streams in, after those of the quaternion: the axis x y z. Any length from the smallest subnormal number
+// on: a power of two brings the largest component to 2..4 before it is squared. Zero stays zero; NaN and
+// infinity become NaN.
 template <precision_index P, class V>
 struct per_element_form : vector_form<P, V> {
     using base = vector_form<P, V>;
@@ -180,13 +183,14 @@ struct per_element_form : vector_form<P, V> {
         x = x * scale;
         y = y * scale;
         z = z * scale;
-        const V squared = M::fuses ? M::multiply_add(z, z, M::multiply_add(y, y, x * x)) : (x * x + y * y) + z * z;
+        const V squared =
+            M::fuses ? M::multiply_add(z, z, M::multiply_add(y, y, x * x)) : (x * x + y * y) + z * z;
         const V root = M::reciprocal_root(larger(V(constants<T>::pole_floor), squared));
         return {x * root, y * root, z * root};
     }
 
-    // 2^(1 - e) for 2^e <= a < 2^(e + 1), at most the largest power of two; 0 for infinity and NaN. Inverting the
-    // exponent bits of 2^e does it.
+    // 2^(1 - e) for 2^e <= a < 2^(e + 1), at most the largest power of two; 0 for infinity and NaN. Inverting
+    // the exponent bits of 2^e does it.
     static V reciprocal_power_of_two(V a) noexcept {
         const V exponent_bits(constants<T>::infinity);
         const V largest(constants<T>::largest_power_of_two);

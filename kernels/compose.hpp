@@ -13,7 +13,8 @@ inline V nan_for_infinity(V a) noexcept {
     return M::multiply_add(V(scalar_of<V>(0)), a, a);
 }
 
-// The Hamilton product l r. Streams in: l x y z w, r x y z w, and the signs of r where they are given. Out: x y z w.
+// The Hamilton product l r. Streams in: l x y z w, r x y z w, and the signs of r where they are given. Out: x
+// y z w.
 template <precision_index P, bool Signs, class V>
 struct compose_op {
     using M = arithmetic<P>;
@@ -35,13 +36,14 @@ struct compose_op {
         out[0] = component(lw * rx, lx, rw, ly, rz, lz, ry);
         out[1] = component(lw * ry, ly, rw, lz, rx, lx, rz);
         out[2] = component(lw * rz, lz, rw, lx, ry, ly, rx);
-        out[3] = nan_for_infinity<M>(
-            M::negate_multiply_add(lz, rz, M::negate_multiply_add(ly, ry, M::negate_multiply_add(lx, rx, lw * rw))));
+        out[3] = nan_for_infinity<M>(M::negate_multiply_add(
+            lz, rz, M::negate_multiply_add(ly, ry, M::negate_multiply_add(lx, rx, lw * rw))));
     }
 
     // first + a b + c d - e f
     static V component(V first, V a, V b, V c, V d, V e, V f) noexcept {
-        return nan_for_infinity<M>(M::negate_multiply_add(e, f, M::multiply_add(c, d, M::multiply_add(a, b, first))));
+        return nan_for_infinity<M>(
+            M::negate_multiply_add(e, f, M::multiply_add(c, d, M::multiply_add(a, b, first))));
     }
 };
 
@@ -64,8 +66,8 @@ struct compose_compact_op {
         }
         // 0, or NaN where anything is NaN or infinite.
         const V zero(scalar_of<V>(0));
-        const V poison = M::multiply_add(
-            zero, s1 + s2, M::multiply_add(zero, sc, M::multiply_add(zero, ts, zero * tc)));
+        const V poison =
+            M::multiply_add(zero, s1 + s2, M::multiply_add(zero, sc, M::multiply_add(zero, ts, zero * tc)));
         out[0] = M::multiply_add(s2, ts, s1 * tc) + poison;
         out[1] = M::negate_multiply_add(s1, ts, s2 * tc) + poison;
         out[2] = M::multiply_add(sc, ts, poison);

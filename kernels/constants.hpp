@@ -13,8 +13,8 @@ template <>
 struct constants<float> {
     // eps^2, options::default_pole_threshold.
     static constexpr float pole_threshold = 0x1p-48f;
-    // Below this sum w^2 + u^2 the squares lose bits to underflow, whatever the threshold: 2^-126 of the smallest
-    // normal number, and 24 bits and some to spare.
+    // Below this sum w^2 + u^2 the squares lose bits to underflow, whatever the threshold: 2^-126 of the
+    // smallest normal number, and 24 bits and some to spare.
     static constexpr float pole_floor = 0x1p-100f;
     static constexpr float infinity = __builtin_inff();
     static constexpr float largest_power_of_two = 0x1p127f;

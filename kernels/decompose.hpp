@@ -12,7 +12,8 @@ inline half_twist<V> positive(const half_twist<V>& h, V w) noexcept {
     return {magnitude(h.cosine), h.sine ^ sign_of(w)};
 }
 
-// Streams in: those of the form. Out: swing and twist, in the order of the form, and where signs are kept 1 or -1.
+// Streams in: those of the form. Out: swing and twist, in the order of the form, and where signs are kept 1
+// or -1.
 template <class Form, twist_sign Sign, class V>
 struct decompose_op : Form {
     static constexpr int outputs = Sign == sign_kept ? 9 : 8;

@@ -1,15 +1,15 @@
 #ifndef SWIVEL_KERNELS_KERNEL_TABLE_HPP
 #define SWIVEL_KERNELS_KERNEL_TABLE_HPP
 
-// The interface between src/ (baseline flags) and the kernels of one ISA: plain data and function pointers, no
-// inline function that could be emitted with the wrong instructions.
+// The interface between src/ (baseline flags) and the kernels of one ISA: plain data and function pointers,
+// no inline function that could be emitted with the wrong instructions.
 
 #include <cstddef>
 
 namespace swivel {
 
-// One call of a kernel: contiguous streams of equal size and a few numbers that are the same for all elements.
-// Which stream is which, and which numbers, is said where the kernel is defined.
+// One call of a kernel: contiguous streams of equal size and a few numbers that are the same for all
+// elements. Which stream is which, and which numbers, is said where the kernel is defined.
 template <class T>
 struct batch {
     const T* in[9];

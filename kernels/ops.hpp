@@ -1,9 +1,9 @@
 #ifndef SWIVEL_KERNELS_OPS_HPP
 #define SWIVEL_KERNELS_OPS_HPP
 
-// What the kernels need from a vector register, and the only file with intrinsics: the differences between ISAs,
-// and between xsimd releases, end here. Everything is in the unnamed namespace, since an inline function that two
-// ISAs shared by name could be kept by the linker with the instructions of the wrong one.
+// What the kernels need from a vector register, and the only file with intrinsics: the differences between
+// ISAs, and between xsimd releases, end here. Everything is in the unnamed namespace, since an inline
+// function that two ISAs shared by name could be kept by the linker with the instructions of the wrong one.
 
 #include <cstddef>
 #include <cstdint>
@@ -57,8 +57,7 @@ inline constexpr int newton_steps = sizeof(T) == 4 ? 1 : 2;
 
 template <class A>
 inline xsimd::batch<float, A> rsqrt_estimate(xsimd::batch<float, A> t) noexcept {
-    if constexpr (xsimd::batch<float, A>::size == 4)
-        return xsimd::batch<float, A>(_mm_rsqrt_ps(t));
+    if constexpr (xsimd::batch<float, A>::size == 4) return xsimd::batch<float, A>(_mm_rsqrt_ps(t));
 #if defined(__AVX2__)
     else
         return xsimd::batch<float, A>(_mm256_rsqrt_ps(t));
@@ -158,7 +157,8 @@ inline V sign_of(V a) noexcept {
 
 template <class V>
 inline V magnitude(V a) noexcept {
-    return xsimd::bitwise_andnot(a, V(scalar_of<V>(-0.0)));
+    // Not bitwise_andnot: releases of xsimd disagree on which operand it inverts.
+    return a & ~V(scalar_of<V>(-0.0));
 }
 
 // 1 with the sign of a.
@@ -262,7 +262,8 @@ struct arithmetic {
     }
 };
 
-// The first `count` lanes from memory, 1 in the others: a value that takes the regular way through every kernel.
+// The first `count` lanes from memory, 1 in the others: a value that takes the regular way through every
+// kernel.
 template <class V>
 inline V load_first(const scalar_of<V>* from, std::size_t count) noexcept {
     using T = scalar_of<V>;
@@ -304,7 +305,8 @@ inline void load_quaternions(const float* from, xsimd::batch<float, A> (&c)[4]) 
     const __m512i first = _mm512_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28, 1, 5, 9, 13, 17, 21, 25, 29);
     const __m512i second = _mm512_setr_epi32(2, 6, 10, 14, 18, 22, 26, 30, 3, 7, 11, 15, 19, 23, 27, 31);
     const __m512 low01 = _mm512_permutex2var_ps(r0, first, r1), low23 = _mm512_permutex2var_ps(r2, first, r3);
-    const __m512 high01 = _mm512_permutex2var_ps(r0, second, r1), high23 = _mm512_permutex2var_ps(r2, second, r3);
+    const __m512 high01 = _mm512_permutex2var_ps(r0, second, r1),
+                 high23 = _mm512_permutex2var_ps(r2, second, r3);
     c[0] = _mm512_shuffle_f32x4(low01, low23, 0x44);
     c[1] = _mm512_shuffle_f32x4(low01, low23, 0xee);
     c[2] = _mm512_shuffle_f32x4(high01, high23, 0x44);
@@ -312,8 +314,10 @@ inline void load_quaternions(const float* from, xsimd::batch<float, A> (&c)[4]) 
 }
 template <class A>
 inline void store_quaternions(const xsimd::batch<float, A> (&c)[4], float* to) noexcept {
-    const __m512 low01 = _mm512_shuffle_f32x4(c[0], c[1], 0x44), low23 = _mm512_shuffle_f32x4(c[0], c[1], 0xee);
-    const __m512 high01 = _mm512_shuffle_f32x4(c[2], c[3], 0x44), high23 = _mm512_shuffle_f32x4(c[2], c[3], 0xee);
+    const __m512 low01 = _mm512_shuffle_f32x4(c[0], c[1], 0x44),
+                 low23 = _mm512_shuffle_f32x4(c[0], c[1], 0xee);
+    const __m512 high01 = _mm512_shuffle_f32x4(c[2], c[3], 0x44),
+                 high23 = _mm512_shuffle_f32x4(c[2], c[3], 0xee);
     const __m512i first = _mm512_setr_epi32(0, 8, 16, 24, 1, 9, 17, 25, 2, 10, 18, 26, 3, 11, 19, 27);
     const __m512i second = _mm512_setr_epi32(4, 12, 20, 28, 5, 13, 21, 29, 6, 14, 22, 30, 7, 15, 23, 31);
     _mm512_storeu_ps(to, _mm512_permutex2var_ps(low01, first, high01));
@@ -327,8 +331,10 @@ inline void load_quaternions(const double* from, xsimd::batch<double, A> (&c)[4]
     const __m512d r2 = _mm512_loadu_pd(from + 16), r3 = _mm512_loadu_pd(from + 24);
     const __m512i first = _mm512_setr_epi64(0, 4, 8, 12, 1, 5, 9, 13);
     const __m512i second = _mm512_setr_epi64(2, 6, 10, 14, 3, 7, 11, 15);
-    const __m512d low01 = _mm512_permutex2var_pd(r0, first, r1), low23 = _mm512_permutex2var_pd(r2, first, r3);
-    const __m512d high01 = _mm512_permutex2var_pd(r0, second, r1), high23 = _mm512_permutex2var_pd(r2, second, r3);
+    const __m512d low01 = _mm512_permutex2var_pd(r0, first, r1),
+                  low23 = _mm512_permutex2var_pd(r2, first, r3);
+    const __m512d high01 = _mm512_permutex2var_pd(r0, second, r1),
+                  high23 = _mm512_permutex2var_pd(r2, second, r3);
     c[0] = _mm512_shuffle_f64x2(low01, low23, 0x44);
     c[1] = _mm512_shuffle_f64x2(low01, low23, 0xee);
     c[2] = _mm512_shuffle_f64x2(high01, high23, 0x44);
@@ -336,8 +342,10 @@ inline void load_quaternions(const double* from, xsimd::batch<double, A> (&c)[4]
 }
 template <class A>
 inline void store_quaternions(const xsimd::batch<double, A> (&c)[4], double* to) noexcept {
-    const __m512d low01 = _mm512_shuffle_f64x2(c[0], c[1], 0x44), low23 = _mm512_shuffle_f64x2(c[0], c[1], 0xee);
-    const __m512d high01 = _mm512_shuffle_f64x2(c[2], c[3], 0x44), high23 = _mm512_shuffle_f64x2(c[2], c[3], 0xee);
+    const __m512d low01 = _mm512_shuffle_f64x2(c[0], c[1], 0x44),
+                  low23 = _mm512_shuffle_f64x2(c[0], c[1], 0xee);
+    const __m512d high01 = _mm512_shuffle_f64x2(c[2], c[3], 0x44),
+                  high23 = _mm512_shuffle_f64x2(c[2], c[3], 0xee);
     const __m512i first = _mm512_setr_epi64(0, 4, 8, 12, 1, 5, 9, 13);
     const __m512i second = _mm512_setr_epi64(2, 6, 10, 14, 3, 7, 11, 15);
     _mm512_storeu_pd(to, _mm512_permutex2var_pd(low01, first, high01));
@@ -387,7 +395,8 @@ inline void transpose(const __m256d (&r)[4], __m256d (&c)[4]) noexcept {
 template <class A>
 inline void load_quaternions(const double* from, xsimd::batch<double, A> (&c)[4]) noexcept {
     __m256d t[4];
-    transpose({_mm256_loadu_pd(from), _mm256_loadu_pd(from + 4), _mm256_loadu_pd(from + 8), _mm256_loadu_pd(from + 12)},
+    transpose({_mm256_loadu_pd(from), _mm256_loadu_pd(from + 4), _mm256_loadu_pd(from + 8),
+               _mm256_loadu_pd(from + 12)},
               t);
     for (int k = 0; k < 4; ++k) c[k] = t[k];
 }
@@ -411,7 +420,8 @@ inline void transpose(const __m128 (&r)[4], __m128 (&c)[4]) noexcept {
 template <class A>
 inline void load_quaternions(const float* from, xsimd::batch<float, A> (&c)[4]) noexcept {
     __m128 t[4];
-    transpose({_mm_loadu_ps(from), _mm_loadu_ps(from + 4), _mm_loadu_ps(from + 8), _mm_loadu_ps(from + 12)}, t);
+    transpose({_mm_loadu_ps(from), _mm_loadu_ps(from + 4), _mm_loadu_ps(from + 8), _mm_loadu_ps(from + 12)},
+              t);
     for (int k = 0; k < 4; ++k) c[k] = t[k];
 }
 template <class A>

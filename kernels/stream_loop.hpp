@@ -9,8 +9,8 @@
 namespace swivel {
 namespace {
 
-// Runs Op over the streams of a batch, a register of each at a time. The elements left over at the end go through
-// the same function, in registers whose other lanes are filled up. Op has
+// Runs Op over the streams of a batch, a register of each at a time. The elements left over at the end go
+// through the same function, in registers whose other lanes are filled up. Op has
 //   static constexpr int inputs, outputs;
 //   explicit Op(const T* uniform)                  takes the numbers that are the same for all elements
 //   void operator()(const V* in, V* out) const     the maths for one register
@@ -19,8 +19,8 @@ inline void stream_loop(const batch<scalar_of<V>>& b, std::index_sequence<I...>,
                         std::index_sequence<O...>) noexcept {
     using T = scalar_of<V>;
     const Op op(b.uniform);
-    // Vector stores may alias anything, so pointers left in the batch would be read again for every register; and
-    // gcc leaves a loop over the streams rolled up, with every register in memory.
+    // Vector stores may alias anything, so pointers left in the batch would be read again for every register;
+    // and gcc leaves a loop over the streams rolled up, with every register in memory.
     const T* const from[] = {b.in[I]...};
     T* const to[] = {b.out[O]...};
     const std::size_t size = b.size;

@@ -15,12 +15,11 @@ struct twist_angle_op : Form {
     using Form::Form;
 
     void operator()(const V* in, V* out) const noexcept {
-        using T = scalar_of<V>;
         half_twist<V> h;
         const auto q = this->read(in, h);
         if constexpr (Sign != sign_left) h = positive(h, q.w);
         // A sine of -0 next to a negative cosine would be the angle -2 pi, which is outside the range.
-        const V sine = h.sine + V(T(0));
+        const V sine = h.sine + V(scalar_of<V>(0));
         const V half = atan2_of<P>(sine, h.cosine);
         out[0] = half + half;
     }

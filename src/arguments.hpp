@@ -10,8 +10,8 @@
 
 namespace swivel {
 
-// The index into x y z w of each component that the kernel takes, and the form of the axis. Exchanging the first two
-// turns a kernel for q = S T into one for q = T R.
+// The index into x y z w of each component that the kernel takes, and the form of the axis. Exchanging the
+// first two turns a kernel for q = S T into one for q = T R.
 struct component_order {
     axis_form_index form;
     int component[4];
@@ -91,6 +91,7 @@ struct projection {
 
     void write(const quat_view<T>& v) noexcept { s.out[s.outputs++] = group_of(v, order); }
     void write(const scalar_view<T>& v) noexcept { s.out[s.outputs++] = group_of(v); }
+    void write(const factor_view<T>& v, product p) noexcept { s.out[s.outputs++] = group_of(v, p); }
 
     // All checks; `ok` with a size of 0 means that there is nothing to do.
     status check_all(const twist_axis<T>& a, const options& o) noexcept {
@@ -106,6 +107,39 @@ struct projection {
         return status::ok;
     }
 };
+
+// Streams of an operation that multiplies factors. The kernels give the signs to the factor on the right; to
+// the product it makes no difference which one has them.
+template <class T>
+streams<T> composition(const quat_view<const T>& swing, const quat_view<const T>& twist,
+                       const scalar_view<const T>* signs, const quat_view<T>& q, const options& o) noexcept {
+    constexpr component_order xyzw{uniform_index, {0, 1, 2, 3}};
+    const bool swing_left = o.order == product::swing_twist;
+    streams<T> s;
+    s.in[s.inputs++] = group_of(swing_left ? swing : twist, xyzw);
+    s.in[s.inputs++] = group_of(swing_left ? twist : swing, xyzw);
+    if (signs != nullptr) s.in[s.inputs++] = group_of(*signs);
+    s.out[s.outputs++] = group_of(q, xyzw);
+    return s;
+}
+
+template <class T>
+streams<T> composition(const factor_view<const T>& factors, axis a, const scalar_view<const T>* signs,
+                       const quat_view<T>& q, const options& o) noexcept {
+    streams<T> s;
+    s.in[s.inputs++] = group_of(factors, o.order);
+    if (signs != nullptr) s.in[s.inputs++] = group_of(*signs);
+    s.out[s.outputs++] = group_of(q, order_for(a, o.order));
+    return s;
+}
+
+// All checks; `ok` with a size of 0 means that there is nothing to do.
+template <class T>
+status check(streams<T>& s, const options& o, axis a = axis::x) noexcept {
+    if (const status bad = check(s); bad != status::ok || s.size == 0) return bad;
+    if (const status bad = check(o); bad != status::ok) return bad;
+    return check(a);
+}
 
 }  // namespace swivel
 

@@ -40,7 +40,8 @@ struct extent {
 template <class T>
 extent extent_of(T* stream, std::size_t size, std::ptrdiff_t stride) noexcept {
     const auto first = reinterpret_cast<std::uintptr_t>(stream);
-    const auto reach = static_cast<std::uintptr_t>(static_cast<std::ptrdiff_t>(size - 1) * stride) * sizeof(T);
+    const auto reach =
+        static_cast<std::uintptr_t>(static_cast<std::ptrdiff_t>(size - 1) * stride) * sizeof(T);
     return stride < 0 ? extent{first + reach, first + sizeof(T)} : extent{first, first + reach + sizeof(T)};
 }
 
@@ -55,8 +56,8 @@ extent extent_of(const stream_group<T>& g) noexcept {
     return e;
 }
 
-// Whether any element of one stream shares a byte with any element of the other. Exact where the strides are equal
-// in magnitude, as they are within an array of structures; else the extents decide.
+// Whether any element of one stream shares a byte with any element of the other. Exact where the strides are
+// equal in magnitude, as they are within an array of structures; else the extents decide.
 template <class T>
 bool elements_overlap(const T* a, std::ptrdiff_t a_stride, const T* b, std::ptrdiff_t b_stride,
                       std::size_t size) noexcept {
@@ -91,7 +92,8 @@ bool partial_overlap(const stream_group<T>& out, const stream_group<const T>& in
     for (int i = 0; i < out.count; ++i)
         for (int k = 0; k < in.count; ++k) {
             if (out.stream[i] == in.stream[k] && out.stride == in.stride) continue;
-            if (elements_overlap<T>(out.stream[i], out.stride, in.stream[k], in.stride, out.size)) return true;
+            if (elements_overlap<T>(out.stream[i], out.stride, in.stream[k], in.stride, out.size))
+                return true;
         }
     return false;
 }

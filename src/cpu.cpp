@@ -4,8 +4,8 @@
 #include <intrin.h>
 #endif
 
-// xsimd's own detection is not used: release 8.1.0 reads SSE2 from the XSAVE bit and ignores whether the operating
-// system saves the AVX registers, and then dies of an illegal instruction where it does not.
+// xsimd's own detection is not used: release 8.1.0 reads SSE2 from the XSAVE bit and ignores whether the
+// operating system saves the AVX registers, and then dies of an illegal instruction where it does not.
 
 namespace swivel {
 

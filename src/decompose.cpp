@@ -26,7 +26,7 @@ template <class T>
 status compact(quat_view<const T> q, axis a, factor_view<T> out, const scalar_view<T>* signs,
                const options& o) noexcept {
     projection<T> p(q, a, o);
-    p.s.out[p.s.outputs++] = group_of(out, o.order);
+    p.write(out, o.order);
     if (signs != nullptr) p.write(*signs);
     if (const status bad = p.check_all(a, o); bad != status::ok || p.s.size == 0) return bad;
     const operations<T>& table = active_operations<T>();
@@ -37,20 +37,20 @@ status compact(quat_view<const T> q, axis a, factor_view<T> out, const scalar_vi
 
 }  // namespace
 
-status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing, quat_view<float> twist,
-                 options o) noexcept {
+status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
+                 quat_view<float> twist, options o) noexcept {
     return full<float>(q, a, swing, twist, nullptr, o);
 }
-status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing, quat_view<double> twist,
-                 options o) noexcept {
+status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
+                 quat_view<double> twist, options o) noexcept {
     return full<double>(q, a, swing, twist, nullptr, o);
 }
-status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing, quat_view<float> twist,
-                 scalar_view<float> signs, options o) noexcept {
+status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
+                 quat_view<float> twist, scalar_view<float> signs, options o) noexcept {
     return full<float>(q, a, swing, twist, &signs, o);
 }
-status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing, quat_view<double> twist,
-                 scalar_view<double> signs, options o) noexcept {
+status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
+                 quat_view<double> twist, scalar_view<double> signs, options o) noexcept {
     return full<double>(q, a, swing, twist, &signs, o);
 }
 

@@ -49,7 +49,8 @@ void run_staged(kernel<T> run_kernel, const operations<T>& table, const streams<
         const T** in = b.in;
         for (int i = 0; i < s.inputs; ++i) {
             const stream_group<const T>& g = s.in[i];
-            for (int k = 0; k < g.count; ++k) in[k] = g.stride == 1 ? g.stream[k] + at : in_block[i].stream[k];
+            for (int k = 0; k < g.count; ++k)
+                in[k] = g.stride == 1 ? g.stream[k] + at : in_block[i].stream[k];
             if (in_array[i] != nullptr) {
                 T* in_memory_order[4];
                 for (int k = 0; k < 4; ++k) in_memory_order[in_place[i][k]] = in_block[i].stream[k];
@@ -67,7 +68,8 @@ void run_staged(kernel<T> run_kernel, const operations<T>& table, const streams<
         T** out = b.out;
         for (int i = 0; i < s.outputs; ++i) {
             const stream_group<T>& g = s.out[i];
-            for (int k = 0; k < g.count; ++k) *out++ = g.stride == 1 ? g.stream[k] + at : out_block[i].stream[k];
+            for (int k = 0; k < g.count; ++k)
+                *out++ = g.stride == 1 ? g.stream[k] + at : out_block[i].stream[k];
         }
 
         run_kernel(b);
@@ -89,7 +91,9 @@ void run_staged(kernel<T> run_kernel, const operations<T>& table, const streams<
     }
 }
 
-template void run_staged(kernel<float>, const operations<float>&, const streams<float>&, batch<float>&) noexcept;
-template void run_staged(kernel<double>, const operations<double>&, const streams<double>&, batch<double>&) noexcept;
+template void run_staged(kernel<float>, const operations<float>&, const streams<float>&,
+                         batch<float>&) noexcept;
+template void run_staged(kernel<double>, const operations<double>&, const streams<double>&,
+                         batch<double>&) noexcept;
 
 }  // namespace swivel

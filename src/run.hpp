@@ -10,7 +10,8 @@ namespace swivel {
 template <class T>
 void run_staged(kernel<T> run_kernel, const operations<T>& table, const streams<T>& s, batch<T>& b) noexcept;
 
-// Runs the kernel over checked streams: those of the input groups one after the other, then the output groups'.
+// Runs the kernel over checked streams: those of the input groups one after the other, then the output
+// groups'.
 template <class T>
 void run(kernel<T> run_kernel, const operations<T>& table, const streams<T>& s, batch<T>& b) noexcept {
     if (!s.contiguous) return run_staged(run_kernel, table, s, b);

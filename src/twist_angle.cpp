@@ -18,10 +18,12 @@ status project(quat_view<const T> q, const twist_axis<T>& a, scalar_view<T> out,
 
 }  // namespace
 
-status twist_angle(quat_view<const float> q, twist_axis<float> a, scalar_view<float> radians, options o) noexcept {
+status twist_angle(quat_view<const float> q, twist_axis<float> a, scalar_view<float> radians,
+                   options o) noexcept {
     return project<float>(q, a, radians, o);
 }
-status twist_angle(quat_view<const double> q, twist_axis<double> a, scalar_view<double> radians, options o) noexcept {
+status twist_angle(quat_view<const double> q, twist_axis<double> a, scalar_view<double> radians,
+                   options o) noexcept {
     return project<double>(q, a, radians, o);
 }
 

@@ -8,9 +8,9 @@
 
 namespace swivel {
 
-// The unit vector along v, from any length; false where v is zero or not finite. Computed in double, so that a unit
-// axis in float is right to half a unit in the last place. swivel::reference uses it too: the axis is an argument,
-// not a result.
+// The unit vector along v, from any length; false where v is zero or not finite. Computed in double, so that
+// a unit axis in float is right to half a unit in the last place. swivel::reference uses it too: the axis is
+// an argument, not a result.
 inline bool unit_axis(const vec3<float>& v, float (&unit)[3]) noexcept {
     const double x = v.x, y = v.y, z = v.z;
     const double squared = (x * x + y * y) + z * z;
@@ -26,7 +26,8 @@ inline bool unit_axis(const vec3<float>& v, float (&unit)[3]) noexcept {
 inline bool unit_axis(const vec3<double>& v, double (&unit)[3]) noexcept {
     double x = v.x, y = v.y, z = v.z;
     const double largest = std::fmax(std::fmax(std::fabs(x), std::fabs(y)), std::fabs(z));
-    if (!(largest > 0) || !(std::fabs(x) + std::fabs(y) + std::fabs(z) < std::numeric_limits<double>::infinity())) {
+    if (!(largest > 0) ||
+        !(std::fabs(x) + std::fabs(y) + std::fabs(z) < std::numeric_limits<double>::infinity())) {
         // The sum may have overflowed for a finite vector.
         if (!(std::isfinite(x) && std::isfinite(y) && std::isfinite(z)) || largest == 0) return false;
     }

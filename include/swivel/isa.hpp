@@ -3,8 +3,9 @@
 
 // Which instruction set runs the kernels.
 //
-// The best usable ISA is chosen the first time that it is needed. The environment variable SWIVEL_ISA, read at
-// that moment, names another one (sse2, avx2, avx512, neon64); a name that is unknown or not usable is ignored.
+// The best usable ISA is chosen the first time that it is needed. The environment variable SWIVEL_ISA, read
+// at that moment, names another one (sse2, avx2, avx512, neon64); a name that is unknown or not usable is
+// ignored.
 
 #include <cstdint>
 
@@ -33,8 +34,8 @@ bool is_usable(isa) noexcept;
 // The ISA of the next call. Safe from any thread.
 isa active_isa() noexcept;
 
-// Selects the ISA for all threads: ok, or isa_unavailable and no change. Calls under way finish on the ISA that
-// they began with.
+// Selects the ISA for all threads: ok, or isa_unavailable and no change. Calls under way finish on the ISA
+// that they began with.
 status set_active_isa(isa) noexcept;
 
 }  // namespace swivel

@@ -5,7 +5,8 @@
 
 // swing: the swing alone
 //
-// Formula    S = q T* for q = S T, R = T* q for q = T R: the rotation through the least angle that takes the axis
+// Formula    S = q T* for q = S T, R = T* q for q = T R: the rotation through the least angle that takes the
+// axis
 //            where q takes it (S), or that takes to the axis what q takes there (R).
 // Domain, Pole, NaN/Inf, Accuracy, Aliasing   as for decompose (decompose.hpp), of whose results this is one;
 //            options::positive_twist makes no difference.

@@ -5,7 +5,8 @@
 
 // twist: the twist alone, the paper's projection sigma_a(q) = n((q - a q a) / 2)
 //
-// Formula    T = (u a, w) / sqrt(w^2 + u^2), u = a.v. The unit quaternion about a that is closest to q. The same in
+// Formula    T = (u a, w) / sqrt(w^2 + u^2), u = a.v. The unit quaternion about a that is closest to q. The
+// same in
 //            both products.
 // Domain, Pole, NaN/Inf, Accuracy, Aliasing   as for decompose (decompose.hpp), of whose results this is one.
 // Identity   (0, 0, 0, 1) to itself; T(T(q)) = T(q) and T(q*) = T(q)* to rounding.

@@ -14,15 +14,16 @@
 //   Swing         about an axis perpendicular to `a`, through [0, pi]; its w is never negative.
 //   Pole          w = 0 and a.v = 0, where q turns `a` into -a (a half-turn swing) and every twist would do.
 //                 decompose.hpp says what comes out there.
-//   The spinor a + b e12 + c e23 + d e31 of Dobrowolski's paper is the quaternion (w, x, y, z) = (a, -c, -d, -b).
+//   The spinor a + b e12 + c e23 + d e31 of Dobrowolski's paper is the quaternion (w, x, y, z) = (a, -c, -d,
+//   -b).
 //
 // Contract shared by every operation that takes views
 //
 //   Never throws, never allocates, takes no lock, and may be called from any thread at any time. The floating
-//   point environment (rounding mode, flush to zero) is used as found; the stated figures are for the default.
-//   All checks are made before the first write and cost the same for every size. On any status but `ok`
-//   nothing has been written. A size of 0 is `ok`, whatever the pointers. Values are not inspected.
-//   An output stream may be exactly an input stream (same pointer, stride and size: in place). Any other overlap
+//   point environment (rounding mode, flush to zero) is used as found; the stated figures are for the
+//   default. All checks are made before the first write and cost the same for every size. On any status but
+//   `ok` nothing has been written. A size of 0 is `ok`, whatever the pointers. Values are not inspected. An
+//   output stream may be exactly an input stream (same pointer, stride and size: in place). Any other overlap
 //   of an output with an input or with another output is refused.
 
 #include <cstddef>
@@ -39,21 +40,23 @@ enum class product : std::uint8_t {
 };
 
 enum class precision : std::uint8_t {
-    // The quickest arithmetic of the ISA: fused multiply-add, reciprocal square root estimate and Newton steps.
+    // The quickest arithmetic of the ISA: fused multiply-add, reciprocal square root estimate and Newton
+    // steps.
     fast,
-    // Only correctly rounded + - * / and square root, in one order: the same bits on every ISA, compiler and in
+    // Only correctly rounded + - * / and square root, in one order: the same bits on every ISA, compiler and
+    // in
     // swivel::reference.
     reproducible
 };
 
-enum class [[nodiscard]] status : std::uint8_t {
+enum class [[nodiscard]] status : std::uint8_t{
     ok,
     null_stream,      // a pointer is null and the size is not 0
     size_mismatch,    // the views differ in size
     partial_overlap,  // an output overlaps an input or another output without being exactly an input
-    bad_argument,     // zero or non-finite axis, an enumerator out of range, a threshold outside [0, 1], an output
-                      // of stride 0, a view that is larger than memory
-    isa_unavailable   // set_active_isa: this ISA is not compiled in or not usable on this machine
+    bad_argument,     // zero or non-finite axis, an enumerator out of range, a threshold outside [0, 1], an
+                   // output of stride 0, a view that is larger than memory
+    isa_unavailable  // set_active_isa: this ISA is not compiled in or not usable on this machine
 };
 
 // The English words for a status, for messages; never null.
@@ -81,9 +84,9 @@ struct factors {
 };
 
 // Views: pointers to the first element of each component, the number of elements, and the distance between
-// elements in units of T. They own nothing. stride 1 is structure of arrays; 4 with adjacent pointers is an array
-// of quaternions; any other stride (every other joint, a field of a larger record, backwards) is valid too, and
-// stride 0 reads one element over and over. T is float or double, const where the view is only read.
+// elements in units of T. They own nothing. stride 1 is structure of arrays; 4 with adjacent pointers is an
+// array of quaternions; any other stride (every other joint, a field of a larger record, backwards) is valid
+// too, and stride 0 reads one element over and over. T is float or double, const where the view is only read.
 
 template <class T>
 struct quat_view {
@@ -91,9 +94,7 @@ struct quat_view {
     std::size_t size;
     std::ptrdiff_t stride = 1;
 
-    constexpr operator quat_view<const T>() const noexcept
-        requires(!std::is_const_v<T>)
-    {
+    constexpr operator quat_view<const T>() const noexcept requires(!std::is_const_v<T>) {
         return {x, y, z, w, size, stride};
     }
 };
@@ -104,9 +105,7 @@ struct vec3_view {
     std::size_t size;
     std::ptrdiff_t stride = 1;
 
-    constexpr operator vec3_view<const T>() const noexcept
-        requires(!std::is_const_v<T>)
-    {
+    constexpr operator vec3_view<const T>() const noexcept requires(!std::is_const_v<T>) {
         return {x, y, z, size, stride};
     }
 };
@@ -117,9 +116,7 @@ struct scalar_view {
     std::size_t size;
     std::ptrdiff_t stride = 1;
 
-    constexpr operator scalar_view<const T>() const noexcept
-        requires(!std::is_const_v<T>)
-    {
+    constexpr operator scalar_view<const T>() const noexcept requires(!std::is_const_v<T>) {
         return {data, size, stride};
     }
 };
@@ -129,9 +126,7 @@ struct factor_view {
     T *s1, *s2, *sc, *ts, *tc;
     std::size_t size;
 
-    constexpr operator factor_view<const T>() const noexcept
-        requires(!std::is_const_v<T>)
-    {
+    constexpr operator factor_view<const T>() const noexcept requires(!std::is_const_v<T>) {
         return {s1, s2, sc, ts, tc, size};
     }
 };
@@ -169,9 +164,9 @@ constexpr vec3_view<T> aos_xyz(T* first, std::size_t n) noexcept {
     return {first, first + 1, first + 2, n, 3};
 }
 
-// The axis of a twist: a coordinate axis, one vector for all elements, or one vector for each element. Vectors
-// may have any length that is not zero; only their direction counts. A zero or non-finite vector for all
-// elements is a bad_argument. Among vectors per element a zero one gives the twist (0, 0, 0, sgn w) and a
+// The axis of a twist: a coordinate axis, one vector for all elements, or one vector for each element.
+// Vectors may have any length that is not zero; only their direction counts. A zero or non-finite vector for
+// all elements is a bad_argument. Among vectors per element a zero one gives the twist (0, 0, 0, sgn w) and a
 // non-finite one gives NaN, in its element alone.
 template <class T>
 struct twist_axis {
@@ -179,8 +174,8 @@ struct twist_axis {
 
     constexpr twist_axis(axis a) noexcept : kind{form::coordinate}, coordinate{a} {}
     constexpr twist_axis(const vec3<T>& v) noexcept : kind{form::uniform}, uniform{v} {}
-    constexpr twist_axis(const vec3_view<const T>& v) noexcept : kind{form::per_element}, per_element{v} {}
-    constexpr twist_axis(const vec3_view<T>& v) noexcept : kind{form::per_element}, per_element{v} {}
+    constexpr twist_axis(const vec3_view<const T>& v) noexcept : kind{form::per_element}, per_element(v) {}
+    constexpr twist_axis(const vec3_view<T>& v) noexcept : kind{form::per_element}, per_element(v) {}
 
     form kind;
     axis coordinate = axis::z;
@@ -195,13 +190,14 @@ struct options {
     product order = product::swing_twist;
     precision accuracy = precision::fast;
 
-    // Flip the twist where needed so that the sign bit of its w is clear. It then belongs to sgn(w) q, the same
-    // rotation, and its angle is in [-pi, pi]; the swing is the same either way.
+    // Flip the twist where needed so that the sign bit of its w is clear. It then belongs to sgn(w) q, the
+    // same rotation, and its angle is in [-pi, pi]; the swing is the same either way.
     bool positive_twist = false;
 
     // An element is at the pole when w^2 + (a.v)^2 <= pole_threshold |q|^2, in [0, 1]. At the default the
-    // replacement is equal to rounding. Larger values suppress the twist of noisy input: a threshold h^2 replaces
-    // twists whose angle is known only to about 2^-23 / h radians, and moves S T away from q by at most h |q|.
+    // replacement is equal to rounding. Larger values suppress the twist of noisy input: a threshold h^2
+    // replaces twists whose angle is known only to about 2^-23 / h radians, and moves S T away from q by at
+    // most h |q|.
     double pole_threshold = default_pole_threshold;
 };
 

@@ -1,0 +1,446 @@
+#include "swivel/reference.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "arguments.hpp"
+
+// One element at a time, the axis and the product spelled out. The order of additions is part of the
+// contract, since precision::reproducible promises the same bits; contraction is off for the whole library.
+
+namespace swivel::reference {
+
+namespace {
+
+template <class T>
+struct half_twist {
+    T cosine, sine;
+};
+
+// T = (u a, w) / sqrt(w^2 + u^2), and at the pole (0, sgn w).
+template <class T>
+half_twist<T> half_twist_of(T w, T u, T t, T norm_squared, T threshold) {
+    const T nan_unless_finite = T(0) * norm_squared;
+    t = nan_unless_finite + t;
+    if (t <= threshold * norm_squared + constants<T>::pole_floor) return {std::copysign(T(1), w), T(0)};
+    const T scale = T(1) / std::sqrt(t);
+    return {w * scale, u * scale};
+}
+
+template <class T>
+half_twist<T> positive(const half_twist<T>& h, T w) {
+    return {std::fabs(h.cosine), std::signbit(w) ? -h.sine : h.sine};
+}
+
+// (A; B, C), cyclic.
+template <class T>
+struct cyclic {
+    T a, b, c, w;
+};
+
+template <class T>
+cyclic<T> about(axis a, const quat<T>& q) {
+    switch (a) {
+        case axis::x:
+            return {q.x, q.y, q.z, q.w};
+        case axis::y:
+            return {q.y, q.z, q.x, q.w};
+        default:
+            return {q.z, q.x, q.y, q.w};
+    }
+}
+
+template <class T>
+quat<T> from(axis a, const cyclic<T>& q) {
+    switch (a) {
+        case axis::x:
+            return {q.a, q.b, q.c, q.w};
+        case axis::y:
+            return {q.c, q.a, q.b, q.w};
+        default:
+            return {q.b, q.c, q.a, q.w};
+    }
+}
+
+template <class T>
+T norm_squared_of(const cyclic<T>& q) {
+    return (q.b * q.b + q.c * q.c) + (q.a * q.a + q.w * q.w);
+}
+
+template <class T>
+half_twist<T> half_twist_about(axis a, const quat<T>& q, T threshold) {
+    const cyclic<T> p = about(a, q);
+    return half_twist_of(p.w, p.a, p.a * p.a + p.w * p.w, norm_squared_of(p), threshold);
+}
+
+template <class T>
+factors<T> factors_about(axis a, const quat<T>& q, const half_twist<T>& h, product order) {
+    const auto [A, B, C, w] = about(a, q);
+    const T tc = h.cosine, ts = h.sine, sc = tc * w + ts * A;
+    if (order == product::swing_twist) return {tc * B - ts * C, tc * C + ts * B, sc, ts, tc};
+    return {tc * B + ts * C, tc * C - ts * B, sc, ts, tc};
+}
+
+template <class T>
+vec3<T> times(T s, const vec3<T>& v) {
+    return {s * v.x, s * v.y, s * v.z};
+}
+
+template <class T>
+vec3<T> cross(const vec3<T>& l, const vec3<T>& r) {
+    return {l.y * r.z - l.z * r.y, l.z * r.x - l.x * r.z, l.x * r.y - l.y * r.x};
+}
+
+template <class T>
+half_twist<T> half_twist_about(const vec3<T>& a, const quat<T>& q, T threshold) {
+    const T u = (a.x * q.x + a.y * q.y) + a.z * q.z;
+    const T w_squared = q.w * q.w;
+    const T norm_squared = ((q.x * q.x + q.y * q.y) + q.z * q.z) + w_squared;
+    return half_twist_of(q.w, u, u * u + w_squared, norm_squared, threshold);
+}
+
+// S = (c w + d u, c v - c u a + d a x v); the other order of the product has v x a.
+template <class T>
+quat<T> swing_about(const vec3<T>& a, const quat<T>& q, const half_twist<T>& h, product order) {
+    const vec3<T> v{q.x, q.y, q.z}, t = times(h.sine, a);
+    const T u = (a.x * q.x + a.y * q.y) + a.z * q.z;
+    const vec3<T> turned = order == product::swing_twist ? cross(t, v) : cross(v, t);
+    const T along = h.cosine * u;
+    return {(h.cosine * v.x - along * a.x) + turned.x, (h.cosine * v.y - along * a.y) + turned.y,
+            (h.cosine * v.z - along * a.z) + turned.z, h.cosine * q.w + h.sine * u};
+}
+
+template <class T>
+quat<T> twist_about(const vec3<T>& a, const quat<T>&, const half_twist<T>& h) {
+    const vec3<T> t = times(h.sine, a);
+    return {t.x, t.y, t.z, h.cosine};
+}
+
+// The component of a swing along the axis, and those of a twist across it: 0, but NaN where q has a NaN or an
+// infinity.
+template <class T>
+T zero_or_nan(axis a, const quat<T>& q) {
+    return T(0) * norm_squared_of(about(a, q));
+}
+
+template <class T>
+quat<T> swing_about(axis a, const quat<T>& q, const half_twist<T>& h, product order) {
+    const factors<T> f = factors_about(a, q, h, order);
+    return from<T>(a, {zero_or_nan(a, q), f.s1, f.s2, f.sc});
+}
+
+template <class T>
+quat<T> twist_about(axis a, const quat<T>& q, const half_twist<T>& h) {
+    return from<T>(a, {h.sine, zero_or_nan(a, q), zero_or_nan(a, q), h.cosine});
+}
+
+// The axis of one element to unit length, by way of a power of two that keeps the squares in range.
+template <class T>
+vec3<T> normalized(const vec3<T>& v) {
+    T largest = std::fabs(v.x) > std::fabs(v.y) ? std::fabs(v.x) : std::fabs(v.y);
+    largest = largest > std::fabs(v.z) ? largest : std::fabs(v.z);
+    T scale = 0;
+    if (std::isfinite(largest)) {
+        int exponent;
+        std::frexp(largest, &exponent);
+        const int most = std::numeric_limits<T>::max_exponent - 1;
+        scale = std::ldexp(T(1), 2 - exponent < most ? 2 - exponent : most);
+    }
+    const vec3<T> s = times(scale, v);
+    const T squared = (s.x * s.x + s.y * s.y) + s.z * s.z;
+    return times(T(1) / std::sqrt(constants<T>::pole_floor > squared ? constants<T>::pole_floor : squared),
+                 s);
+}
+
+template <class T>
+T atan2_of(T y, T x) {
+    using C = constants<T>;
+    const T ax = std::fabs(x), ay = std::fabs(y);
+    const bool steep = ay > ax;
+    const T small = steep ? ax : ay, large = steep ? ay : ax;
+    const bool turned = small > C::tan_eighth_pi * large;
+    const T z = turned ? (small - large) / (small + large) : small / large;
+
+    const T s = z * z;
+    T p = 0;
+    for (auto c = std::end(C::atan); c != std::begin(C::atan);) p = p * s + *--c;
+    T rest = (z * s) * p + z;
+
+    T eighths = turned ? T(1) : T(0);
+    if (steep) {
+        eighths = 2 - eighths;
+        rest = 0 - rest;
+    }
+    if (std::signbit(x)) {
+        eighths = 4 - eighths;
+        rest = 0 - rest;
+    }
+    const T angle = eighths * C::quarter_pi + (eighths * C::quarter_pi_rest + rest);
+    return std::signbit(y) ? -angle : angle;
+}
+
+// A NaN for an infinity, everything else as it is.
+template <class T>
+T finite_or_nan(T a) {
+    return T(0) * a + a;
+}
+
+template <class T>
+quat<T> multiply(const quat<T>& l, const quat<T>& r) {
+    return {finite_or_nan(((l.w * r.x + l.x * r.w) + l.y * r.z) - l.z * r.y),
+            finite_or_nan(((l.w * r.y + l.y * r.w) + l.z * r.x) - l.x * r.z),
+            finite_or_nan(((l.w * r.z + l.z * r.w) + l.x * r.y) - l.y * r.x),
+            finite_or_nan(((l.w * r.w - l.x * r.x) - l.y * r.y) - l.z * r.z)};
+}
+
+template <class T>
+quat<T> compose_about(axis a, const factors<T>& f, product order) {
+    const T zero = T(0) * (f.s1 + f.s2) + (T(0) * f.sc + (T(0) * f.ts + T(0) * f.tc));
+    const T A = f.sc * f.ts + zero, w = f.sc * f.tc + zero;
+    if (order == product::swing_twist)
+        return from<T>(a, {A, (f.s1 * f.tc + f.s2 * f.ts) + zero, (f.s2 * f.tc - f.s1 * f.ts) + zero, w});
+    return from<T>(a, {A, (f.s1 * f.tc - f.s2 * f.ts) + zero, (f.s2 * f.tc + f.s1 * f.ts) + zero, w});
+}
+
+// Elements of views.
+
+template <class T>
+T* element(T* first, std::size_t i, std::ptrdiff_t stride) {
+    return first + static_cast<std::ptrdiff_t>(i) * stride;
+}
+
+template <class T>
+quat<T> read(const quat_view<const T>& v, std::size_t i) {
+    return {*element(v.x, i, v.stride), *element(v.y, i, v.stride), *element(v.z, i, v.stride),
+            *element(v.w, i, v.stride)};
+}
+
+template <class T>
+void write(const quat_view<T>& v, std::size_t i, const quat<T>& q) {
+    *element(v.x, i, v.stride) = q.x;
+    *element(v.y, i, v.stride) = q.y;
+    *element(v.z, i, v.stride) = q.z;
+    *element(v.w, i, v.stride) = q.w;
+}
+
+template <class T>
+vec3<T> read(const vec3_view<const T>& v, std::size_t i) {
+    return {*element(v.x, i, v.stride), *element(v.y, i, v.stride), *element(v.z, i, v.stride)};
+}
+
+template <class T>
+factors<T> read(const factor_view<const T>& v, std::size_t i) {
+    return {v.s1[i], v.s2[i], v.sc[i], v.ts[i], v.tc[i]};
+}
+
+// Calls body(i, q, axis) for every element, the axis being an `axis` or a unit vector, in the order of the
+// elements.
+template <class T, class Body>
+status for_each(projection<T>& p, const quat_view<const T>& q, const twist_axis<T>& a, const options& o,
+                Body body) {
+    if (const status bad = p.check_all(a, o); bad != status::ok) return bad;
+    for (std::size_t i = 0; i < p.s.size; ++i) {
+        switch (a.kind) {
+            case twist_axis<T>::form::coordinate:
+                body(i, read(q, i), a.coordinate);
+                break;
+            case twist_axis<T>::form::uniform: {
+                T unit[3] = {};
+                unit_axis(a.uniform, unit);
+                body(i, read(q, i), vec3<T>{unit[0], unit[1], unit[2]});
+                break;
+            }
+            case twist_axis<T>::form::per_element:
+                body(i, read(q, i), normalized(read(a.per_element, i)));
+                break;
+        }
+    }
+    return status::ok;
+}
+
+template <class T>
+status decompose_all(const quat_view<const T>& q, const twist_axis<T>& a, const quat_view<T>& swing,
+                     const quat_view<T>& twist, const scalar_view<T>* signs, const options& o) {
+    projection<T> p(q, a, o);
+    p.write(swing);
+    p.write(twist);
+    if (signs != nullptr) p.write(*signs);
+    return for_each(p, q, a, o, [&](std::size_t i, const quat<T>& in, const auto& about_axis) {
+        half_twist<T> h = half_twist_about(about_axis, in, threshold_of<T>(o));
+        write(swing, i, swing_about(about_axis, in, h, o.order));
+        if (o.positive_twist || signs != nullptr) h = positive(h, in.w);
+        write(twist, i, twist_about(about_axis, in, h));
+        if (signs != nullptr) *element(signs->data, i, signs->stride) = std::copysign(T(1), in.w);
+    });
+}
+
+template <class T>
+status decompose_all(const quat_view<const T>& q, axis a, const factor_view<T>& out,
+                     const scalar_view<T>* signs, const options& o) {
+    projection<T> p(q, a, o);
+    p.write(out, o.order);
+    if (signs != nullptr) p.write(*signs);
+    return for_each(p, q, twist_axis<T>(a), o, [&](std::size_t i, const quat<T>& in, const auto&) {
+        half_twist<T> h = half_twist_about(a, in, threshold_of<T>(o));
+        const factors<T> f = factors_about(a, in, h, o.order);
+        if (o.positive_twist || signs != nullptr) h = positive(h, in.w);
+        out.s1[i] = f.s1;
+        out.s2[i] = f.s2;
+        out.sc[i] = f.sc;
+        out.ts[i] = h.sine;
+        out.tc[i] = h.cosine;
+        if (signs != nullptr) *element(signs->data, i, signs->stride) = std::copysign(T(1), in.w);
+    });
+}
+
+template <class T>
+status twist_all(const quat_view<const T>& q, const twist_axis<T>& a, const quat_view<T>& out,
+                 const options& o) {
+    projection<T> p(q, a, o);
+    p.write(out);
+    return for_each(p, q, a, o, [&](std::size_t i, const quat<T>& in, const auto& about_axis) {
+        half_twist<T> h = half_twist_about(about_axis, in, threshold_of<T>(o));
+        if (o.positive_twist) h = positive(h, in.w);
+        write(out, i, twist_about(about_axis, in, h));
+    });
+}
+
+template <class T>
+status swing_all(const quat_view<const T>& q, const twist_axis<T>& a, const quat_view<T>& out,
+                 const options& o) {
+    projection<T> p(q, a, o);
+    p.write(out);
+    return for_each(p, q, a, o, [&](std::size_t i, const quat<T>& in, const auto& about_axis) {
+        const half_twist<T> h = half_twist_about(about_axis, in, threshold_of<T>(o));
+        write(out, i, swing_about(about_axis, in, h, o.order));
+    });
+}
+
+template <class T>
+status twist_angle_all(const quat_view<const T>& q, const twist_axis<T>& a, const scalar_view<T>& radians,
+                       const options& o) {
+    projection<T> p(q, a, o);
+    p.write(radians);
+    return for_each(p, q, a, o, [&](std::size_t i, const quat<T>& in, const auto& about_axis) {
+        half_twist<T> h = half_twist_about(about_axis, in, threshold_of<T>(o));
+        if (o.positive_twist) h = positive(h, in.w);
+        // A sine of -0 beside a negative cosine would give -2 pi, which is outside the range.
+        *element(radians.data, i, radians.stride) = 2 * atan2_of(h.sine + T(0), h.cosine);
+    });
+}
+
+template <class T>
+status compose_all(const quat_view<const T>& swing, const quat_view<const T>& twist,
+                   const scalar_view<const T>* signs, const quat_view<T>& q, const options& o) {
+    streams<T> s = composition(swing, twist, signs, q, o);
+    if (const status bad = check(s, o); bad != status::ok) return bad;
+    for (std::size_t i = 0; i < s.size; ++i) {
+        const quat<T> s_i = read(swing, i);
+        quat<T> t_i = read(twist, i);
+        if (signs != nullptr && std::signbit(*element(signs->data, i, signs->stride)))
+            t_i = {-t_i.x, -t_i.y, -t_i.z, -t_i.w};
+        write(q, i, o.order == product::swing_twist ? multiply(s_i, t_i) : multiply(t_i, s_i));
+    }
+    return status::ok;
+}
+
+template <class T>
+status compose_all(const factor_view<const T>& in, axis a, const scalar_view<const T>* signs,
+                   const quat_view<T>& q, const options& o) {
+    streams<T> s = composition(in, a, signs, q, o);
+    if (const status bad = check(s, o, a); bad != status::ok) return bad;
+    for (std::size_t i = 0; i < s.size; ++i) {
+        factors<T> f = read(in, i);
+        if (signs != nullptr && std::signbit(*element(signs->data, i, signs->stride))) {
+            f.ts = -f.ts;
+            f.tc = -f.tc;
+        }
+        write(q, i, compose_about(a, f, o.order));
+    }
+    return status::ok;
+}
+
+}  // namespace
+
+status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
+                 quat_view<float> twist, options o) noexcept {
+    return decompose_all<float>(q, a, swing, twist, nullptr, o);
+}
+status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
+                 quat_view<double> twist, options o) noexcept {
+    return decompose_all<double>(q, a, swing, twist, nullptr, o);
+}
+status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
+                 quat_view<float> twist, scalar_view<float> signs, options o) noexcept {
+    return decompose_all<float>(q, a, swing, twist, &signs, o);
+}
+status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
+                 quat_view<double> twist, scalar_view<double> signs, options o) noexcept {
+    return decompose_all<double>(q, a, swing, twist, &signs, o);
+}
+status decompose(quat_view<const float> q, axis a, factor_view<float> out, options o) noexcept {
+    return decompose_all<float>(q, a, out, nullptr, o);
+}
+status decompose(quat_view<const double> q, axis a, factor_view<double> out, options o) noexcept {
+    return decompose_all<double>(q, a, out, nullptr, o);
+}
+status decompose(quat_view<const float> q, axis a, factor_view<float> out, scalar_view<float> signs,
+                 options o) noexcept {
+    return decompose_all<float>(q, a, out, &signs, o);
+}
+status decompose(quat_view<const double> q, axis a, factor_view<double> out, scalar_view<double> signs,
+                 options o) noexcept {
+    return decompose_all<double>(q, a, out, &signs, o);
+}
+status twist(quat_view<const float> q, twist_axis<float> a, quat_view<float> out, options o) noexcept {
+    return twist_all<float>(q, a, out, o);
+}
+status twist(quat_view<const double> q, twist_axis<double> a, quat_view<double> out, options o) noexcept {
+    return twist_all<double>(q, a, out, o);
+}
+status swing(quat_view<const float> q, twist_axis<float> a, quat_view<float> out, options o) noexcept {
+    return swing_all<float>(q, a, out, o);
+}
+status swing(quat_view<const double> q, twist_axis<double> a, quat_view<double> out, options o) noexcept {
+    return swing_all<double>(q, a, out, o);
+}
+status twist_angle(quat_view<const float> q, twist_axis<float> a, scalar_view<float> radians,
+                   options o) noexcept {
+    return twist_angle_all<float>(q, a, radians, o);
+}
+status twist_angle(quat_view<const double> q, twist_axis<double> a, scalar_view<double> radians,
+                   options o) noexcept {
+    return twist_angle_all<double>(q, a, radians, o);
+}
+status compose(quat_view<const float> swing, quat_view<const float> twist, quat_view<float> q,
+               options o) noexcept {
+    return compose_all<float>(swing, twist, nullptr, q, o);
+}
+status compose(quat_view<const double> swing, quat_view<const double> twist, quat_view<double> q,
+               options o) noexcept {
+    return compose_all<double>(swing, twist, nullptr, q, o);
+}
+status compose(quat_view<const float> swing, quat_view<const float> twist, scalar_view<const float> signs,
+               quat_view<float> q, options o) noexcept {
+    return compose_all<float>(swing, twist, &signs, q, o);
+}
+status compose(quat_view<const double> swing, quat_view<const double> twist, scalar_view<const double> signs,
+               quat_view<double> q, options o) noexcept {
+    return compose_all<double>(swing, twist, &signs, q, o);
+}
+status compose(factor_view<const float> factors, axis a, quat_view<float> q, options o) noexcept {
+    return compose_all<float>(factors, a, nullptr, q, o);
+}
+status compose(factor_view<const double> factors, axis a, quat_view<double> q, options o) noexcept {
+    return compose_all<double>(factors, a, nullptr, q, o);
+}
+status compose(factor_view<const float> factors, axis a, scalar_view<const float> signs, quat_view<float> q,
+               options o) noexcept {
+    return compose_all<float>(factors, a, &signs, q, o);
+}
+status compose(factor_view<const double> factors, axis a, scalar_view<const double> signs,
+               quat_view<double> q, options o) noexcept {
+    return compose_all<double>(factors, a, &signs, q, o);
+}
+
+}  // namespace swivel::reference
