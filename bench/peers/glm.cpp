@@ -1,0 +1,89 @@
+#include <cmath>
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "peers.hpp"
+
+namespace swivel_bench::glm_peer {
+
+namespace {
+
+template <class T>
+using quaternion = glm::qua<T, glm::defaultp>;
+template <class T>
+using vector = glm::vec<3, T, glm::defaultp>;
+
+template <class T>
+const quaternion<T>* array_of(const T* first) noexcept {
+    static_assert(sizeof(quaternion<T>) == 4 * sizeof(T) && offsetof(quaternion<T>, x) == 0);
+    return reinterpret_cast<const quaternion<T>*>(first);
+}
+template <class T>
+quaternion<T>* array_of(T* first) noexcept {
+    return reinterpret_cast<quaternion<T>*>(first);
+}
+
+// normalize() gives the identity for a zero quaternion, so it has the check that such code needs.
+template <class T>
+quaternion<T> twist_of(const quaternion<T>& q, const vector<T>& a) noexcept {
+    return glm::normalize(quaternion<T>(q.w, a * glm::dot(a, vector<T>(q.x, q.y, q.z))));
+}
+
+}  // namespace
+
+template <class T>
+void decompose(const T* q, swivel::vec3<T> a, T* swing, T* twist, std::size_t n) noexcept {
+    const quaternion<T>* const from = array_of(q);
+    quaternion<T>*const s = array_of(swing), *const t = array_of(twist);
+    const vector<T> unit(a.x, a.y, a.z);
+    for (std::size_t i = 0; i < n; ++i) {
+        const quaternion<T> about = twist_of(from[i], unit);
+        s[i] = from[i] * glm::conjugate(about);
+        t[i] = about;
+    }
+}
+
+template <class T>
+void twist(const T* q, swivel::vec3<T> a, T* out, std::size_t n) noexcept {
+    const quaternion<T>* const from = array_of(q);
+    quaternion<T>* const to = array_of(out);
+    const vector<T> unit(a.x, a.y, a.z);
+    for (std::size_t i = 0; i < n; ++i) to[i] = twist_of(from[i], unit);
+}
+
+template <class T>
+void swing(const T* q, swivel::vec3<T> a, T* out, std::size_t n) noexcept {
+    const quaternion<T>* const from = array_of(q);
+    quaternion<T>* const to = array_of(out);
+    const vector<T> unit(a.x, a.y, a.z);
+    for (std::size_t i = 0; i < n; ++i) to[i] = from[i] * glm::conjugate(twist_of(from[i], unit));
+}
+
+template <class T>
+void twist_angle(const T* q, swivel::vec3<T> a, T* radians, std::size_t n) noexcept {
+    const quaternion<T>* const from = array_of(q);
+    const vector<T> unit(a.x, a.y, a.z);
+    for (std::size_t i = 0; i < n; ++i)
+        radians[i] = 2 * std::atan2(glm::dot(unit, vector<T>(from[i].x, from[i].y, from[i].z)), from[i].w);
+}
+
+template <class T>
+void compose(const T* swing, const T* twist, T* q, std::size_t n) noexcept {
+    const quaternion<T>*const s = array_of(swing), *const t = array_of(twist);
+    quaternion<T>* const to = array_of(q);
+    for (std::size_t i = 0; i < n; ++i) to[i] = s[i] * t[i];
+}
+
+template void decompose(const float*, swivel::vec3<float>, float*, float*, std::size_t) noexcept;
+template void decompose(const double*, swivel::vec3<double>, double*, double*, std::size_t) noexcept;
+template void twist(const float*, swivel::vec3<float>, float*, std::size_t) noexcept;
+template void twist(const double*, swivel::vec3<double>, double*, std::size_t) noexcept;
+template void swing(const float*, swivel::vec3<float>, float*, std::size_t) noexcept;
+template void swing(const double*, swivel::vec3<double>, double*, std::size_t) noexcept;
+template void twist_angle(const float*, swivel::vec3<float>, float*, std::size_t) noexcept;
+template void twist_angle(const double*, swivel::vec3<double>, double*, std::size_t) noexcept;
+template void compose(const float*, const float*, float*, std::size_t) noexcept;
+template void compose(const double*, const double*, double*, std::size_t) noexcept;
+
+}  // namespace swivel_bench::glm_peer

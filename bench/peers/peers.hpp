@@ -1,0 +1,101 @@
+#ifndef SWIVEL_BENCH_PEERS_PEERS_HPP
+#define SWIVEL_BENCH_PEERS_PEERS_HPP
+
+// What the library is compared with. Each peer has a file of its own, built with -O3 -march=native; each
+// function does n elements. Axes are unit vectors. Defined for float and double.
+
+#include <cstddef>
+
+#include "swivel/types.hpp"
+
+namespace swivel_bench {
+
+// Loops over arrays of the quaternion types of two libraries, twist by projection and swing by product. Both
+// store x y z w, as swivel::quat does.
+namespace eigen {
+template <class T>
+void decompose(const T* q, swivel::vec3<T> a, T* swing, T* twist, std::size_t n) noexcept;
+template <class T>
+void twist(const T* q, swivel::vec3<T> a, T* out, std::size_t n) noexcept;
+template <class T>
+void swing(const T* q, swivel::vec3<T> a, T* out, std::size_t n) noexcept;
+template <class T>
+void twist_angle(const T* q, swivel::vec3<T> a, T* radians, std::size_t n) noexcept;
+template <class T>
+void compose(const T* swing, const T* twist, T* q, std::size_t n) noexcept;
+}  // namespace eigen
+
+namespace glm_peer {
+template <class T>
+void decompose(const T* q, swivel::vec3<T> a, T* swing, T* twist, std::size_t n) noexcept;
+template <class T>
+void twist(const T* q, swivel::vec3<T> a, T* out, std::size_t n) noexcept;
+template <class T>
+void swing(const T* q, swivel::vec3<T> a, T* out, std::size_t n) noexcept;
+template <class T>
+void twist_angle(const T* q, swivel::vec3<T> a, T* radians, std::size_t n) noexcept;
+template <class T>
+void compose(const T* swing, const T* twist, T* q, std::size_t n) noexcept;
+}  // namespace glm_peer
+
+// The compact form about z after Reynolds' article: one record of five numbers for each quaternion, with his
+// threshold on w^2 + z^2.
+namespace reynolds {
+template <class T>
+void decompose_compact(const swivel::quat<T>* q, swivel::factors<T>* out, std::size_t n) noexcept;
+}
+
+// Both factors about x in the way of PhysX' joints: the twist is the normalised pair (x, w) unless x is 0,
+// the swing a full product.
+namespace physx {
+template <class T>
+void decompose_x(const swivel::quat<T>* q, swivel::quat<T>* swing, swivel::quat<T>* twist,
+                 std::size_t n) noexcept;
+}
+
+// The floor: reads `inputs` streams and writes `outputs`, each of n elements, in one pass or by memcpy. More
+// inputs than outputs are added up.
+template <class T, int inputs, int outputs>
+void copy(const T* const (&in)[inputs], T* const (&out)[outputs], std::size_t n) noexcept;
+template <class T, int inputs, int outputs>
+void copy_by_memcpy(const T* const (&in)[inputs], T* const (&out)[outputs], std::size_t n) noexcept;
+
+// What a caller would write without the library: loops over streams, left to the compiler to vectorise with
+// -ffast-math. No pole, no NaN.
+struct preferred_width;  // the vector width that the compiler prefers for the processor
+struct widest;
+
+template <class T, class Width>
+struct plain {
+    static void decompose(const T* __restrict x, const T* __restrict y, const T* __restrict z,
+                          const T* __restrict w, T ax, T ay, T az, T* __restrict sx, T* __restrict sy,
+                          T* __restrict sz, T* __restrict sw, T* __restrict tx, T* __restrict ty,
+                          T* __restrict tz, T* __restrict tw, std::size_t n) noexcept;
+    static void decompose_z(const T* __restrict x, const T* __restrict y, const T* __restrict z,
+                            const T* __restrict w, T* __restrict sx, T* __restrict sy, T* __restrict sz,
+                            T* __restrict sw, T* __restrict tx, T* __restrict ty, T* __restrict tz,
+                            T* __restrict tw, std::size_t n) noexcept;
+    static void decompose_compact(const T* __restrict x, const T* __restrict y, const T* __restrict z,
+                                  const T* __restrict w, T* __restrict s1, T* __restrict s2, T* __restrict sc,
+                                  T* __restrict ts, T* __restrict tc, std::size_t n) noexcept;
+    static void twist(const T* __restrict x, const T* __restrict y, const T* __restrict z,
+                      const T* __restrict w, T ax, T ay, T az, T* __restrict tx, T* __restrict ty,
+                      T* __restrict tz, T* __restrict tw, std::size_t n) noexcept;
+    static void swing(const T* __restrict x, const T* __restrict y, const T* __restrict z,
+                      const T* __restrict w, T ax, T ay, T az, T* __restrict sx, T* __restrict sy,
+                      T* __restrict sz, T* __restrict sw, std::size_t n) noexcept;
+    static void twist_angle(const T* __restrict x, const T* __restrict y, const T* __restrict z,
+                            const T* __restrict w, T ax, T ay, T az, T* __restrict radians,
+                            std::size_t n) noexcept;
+    static void compose(const T* __restrict sx, const T* __restrict sy, const T* __restrict sz,
+                        const T* __restrict sw, const T* __restrict tx, const T* __restrict ty,
+                        const T* __restrict tz, const T* __restrict tw, T* __restrict x, T* __restrict y,
+                        T* __restrict z, T* __restrict w, std::size_t n) noexcept;
+    static void compose_compact(const T* __restrict s1, const T* __restrict s2, const T* __restrict sc,
+                                const T* __restrict ts, const T* __restrict tc, T* __restrict x,
+                                T* __restrict y, T* __restrict z, T* __restrict w, std::size_t n) noexcept;
+};
+
+}  // namespace swivel_bench
+
+#endif

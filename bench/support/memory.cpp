@@ -1,0 +1,179 @@
+#include "memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <random>
+#include <vector>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+namespace swivel_bench {
+
+namespace {
+
+constexpr std::size_t page = 4096, cache_line = 64;
+
+// Larger sizes repeat the numbers: what branches there are in the peers cannot be learnt over so many
+// elements.
+constexpr std::size_t distinct = 16384;
+
+struct sample {
+    double x, y, z, w;
+};
+
+const std::vector<sample>& samples() {
+    static const std::vector<sample> made = [] {
+        std::vector<sample> all(distinct);
+        std::mt19937_64 bits(20240229);
+        std::normal_distribution<double> normal;
+        for (sample& s : all) {
+            s = {normal(bits), normal(bits), normal(bits), normal(bits)};
+            const double scale = 1 / std::sqrt(s.x * s.x + s.y * s.y + s.z * s.z + s.w * s.w);
+            s = {s.x * scale, s.y * scale, s.z * scale, s.w * scale};
+        }
+        return all;
+    }();
+    return made;
+}
+
+}  // namespace
+
+void memory::restart() noexcept { used_ = read_ = written_ = 0; }
+
+void* memory::take(std::size_t bytes, role r) {
+    if (size_ == 0) reserve(std::size_t{1} << 30);
+    const std::size_t at = r == role::read ? read_++ * cache_line : page / 2 + written_++ * cache_line;
+    const std::size_t begin = (used_ + page - 1) / page * page + at;
+    used_ = begin + bytes;
+    if (used_ > size_) throw std::bad_alloc();
+    return begin_ + begin;
+}
+
+void memory::reserve(std::size_t bytes) {
+    constexpr std::size_t huge_page = std::size_t{2} << 20;
+    begin_ = static_cast<std::byte*>(std::aligned_alloc(huge_page, bytes));
+    if (begin_ == nullptr) throw std::bad_alloc();
+    size_ = bytes;
+#if defined(__linux__)
+    // At 4194304 elements the page tables would be measured otherwise. Advice only.
+    (void)madvise(begin_, bytes, MADV_HUGEPAGE);
+#endif
+}
+
+memory& shared_memory() {
+    static memory shared;
+    return shared;
+}
+
+template <class T>
+workload<T>::workload(std::size_t n, layout l) : n_(n), layout_(l) {
+    shared_memory().restart();
+}
+
+template <class T>
+T* workload<T>::take(std::size_t count, memory::role r) {
+    T* stream = static_cast<T*>(shared_memory().take(count * sizeof(T), r));
+    if (r == memory::role::written) std::memset(stream, 0, count * sizeof(T));
+    return stream;
+}
+
+template <class T>
+swivel::quat_view<const T> workload<T>::rotations() {
+    swivel::quat_view<T> q{};
+    if (layout_ == layout::aos) {
+        q = swivel::aos_xyzw(take(4 * n_, memory::role::read), n_);
+    } else {
+        T* stream[4];
+        for (T*& s : stream) s = take(n_, memory::role::read);
+        q = swivel::soa(stream[0], stream[1], stream[2], stream[3], n_);
+    }
+    for (std::size_t i = 0; i < n_; ++i) {
+        const sample& s = samples()[i % distinct];
+        const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i) * q.stride;
+        q.x[at] = static_cast<T>(s.x);
+        q.y[at] = static_cast<T>(s.y);
+        q.z[at] = static_cast<T>(s.z);
+        q.w[at] = static_cast<T>(s.w);
+    }
+    return q;
+}
+
+template <class T>
+swivel::vec3_view<const T> workload<T>::axes() {
+    swivel::vec3_view<T> a{};
+    if (layout_ == layout::aos) {
+        a = swivel::aos_xyz(take(3 * n_, memory::role::read), n_);
+    } else {
+        T* stream[3];
+        for (T*& s : stream) s = take(n_, memory::role::read);
+        a = swivel::soa(stream[0], stream[1], stream[2], n_);
+    }
+    for (std::size_t i = 0; i < n_; ++i) {
+        const sample& s = samples()[(i + distinct / 2) % distinct];
+        const double scale = 1 / std::sqrt(s.x * s.x + s.y * s.y + s.z * s.z);
+        const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i) * a.stride;
+        a.x[at] = static_cast<T>(s.x * scale);
+        a.y[at] = static_cast<T>(s.y * scale);
+        a.z[at] = static_cast<T>(s.z * scale);
+    }
+    return a;
+}
+
+template <class T>
+swivel::factor_view<const T> workload<T>::factors() {
+    T* stream[5];
+    for (T*& s : stream) s = take(n_, memory::role::read);
+    for (std::size_t i = 0; i < n_; ++i) {
+        const sample& s = samples()[i % distinct];
+        const double r = std::sqrt(s.w * s.w + s.z * s.z), tc = s.w / r, ts = s.z / r;
+        stream[0][i] = static_cast<T>(tc * s.x - ts * s.y);
+        stream[1][i] = static_cast<T>(tc * s.y + ts * s.x);
+        stream[2][i] = static_cast<T>(r);
+        stream[3][i] = static_cast<T>(ts);
+        stream[4][i] = static_cast<T>(tc);
+    }
+    return {stream[0], stream[1], stream[2], stream[3], stream[4], n_};
+}
+
+template <class T>
+swivel::quat_view<T> workload<T>::quaternions() {
+    if (layout_ == layout::aos) return swivel::aos_xyzw(take(4 * n_, memory::role::written), n_);
+    T* stream[4];
+    for (T*& s : stream) s = take(n_, memory::role::written);
+    return swivel::soa(stream[0], stream[1], stream[2], stream[3], n_);
+}
+
+template <class T>
+swivel::scalar_view<T> workload<T>::scalars() {
+    return {take(n_, memory::role::written), n_, 1};
+}
+
+template <class T>
+swivel::factor_view<T> workload<T>::written_factors() {
+    T* stream[5];
+    for (T*& s : stream) s = take(n_, memory::role::written);
+    return {stream[0], stream[1], stream[2], stream[3], stream[4], n_};
+}
+
+template <class T>
+const T* workload<T>::copied(std::size_t per_element) {
+    T* stream = take(per_element * n_, memory::role::read);
+    for (std::size_t i = 0; i < per_element * n_; ++i) stream[i] = static_cast<T>(samples()[i % distinct].x);
+    return stream;
+}
+
+template <class T>
+T* workload<T>::written(std::size_t per_element) {
+    return take(per_element * n_, memory::role::written);
+}
+
+template class workload<float>;
+template class workload<double>;
+
+}  // namespace swivel_bench

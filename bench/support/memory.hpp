@@ -1,0 +1,69 @@
+#ifndef SWIVEL_BENCH_SUPPORT_MEMORY_HPP
+#define SWIVEL_BENCH_SUPPORT_MEMORY_HPP
+
+// The streams that a row reads and writes.
+
+#include <cstddef>
+
+#include "swivel/types.hpp"
+
+namespace swivel_bench {
+
+enum class layout { soa, aos };
+
+// A block of memory that all rows share, one after the other: it grows to the size of the largest row, and
+// its pages stay mapped, so that no row pays for them.
+class memory {
+public:
+    enum class role { read, written };
+
+    // Streams taken before are given up.
+    void restart() noexcept;
+
+    // Every stream begins in a cache line of its own within the 4 KiB page: a load whose address has the same
+    // lower 12 bits as an earlier store waits for it, so what is read lies half a page from what is written.
+    void* take(std::size_t bytes, role r);
+
+private:
+    void reserve(std::size_t bytes);
+
+    std::byte* begin_ = nullptr;
+    std::size_t size_ = 0, used_ = 0, read_ = 0, written_ = 0;
+};
+
+memory& shared_memory();
+
+// Takes streams of n elements and fills those that are read, always with the same numbers: unit quaternions
+// distributed evenly over all rotations, axes evenly over all directions.
+template <class T>
+class workload {
+public:
+    workload(std::size_t n, layout l);
+
+    swivel::quat_view<const T> rotations();
+    swivel::vec3_view<const T> axes();
+    // Those of a decomposition about z.
+    swivel::factor_view<const T> factors();
+    swivel::quat_view<T> quaternions();
+    swivel::scalar_view<T> scalars();
+    swivel::factor_view<T> written_factors();
+
+    // Plain streams of so many numbers for each element.
+    const T* copied(std::size_t per_element);
+    T* written(std::size_t per_element);
+
+    std::size_t size() const noexcept { return n_; }
+
+private:
+    T* take(std::size_t count, memory::role r);
+
+    std::size_t n_;
+    layout layout_;
+};
+
+extern template class workload<float>;
+extern template class workload<double>;
+
+}  // namespace swivel_bench
+
+#endif
