@@ -71,11 +71,11 @@ token text_cursor::piece(std::size_t length) const noexcept {
 token text_cursor::take(std::string_view singles) noexcept {
     skip_to_content();
     std::size_t end = at_;
-    if (end < text_.size() && singles.find(text_[end]) != singles.npos)
+    if (end < text_.size() && singles.find(text_[end]) != std::string_view::npos)
         ++end;
     else
         while (end < text_.size() && !is_blank(text_[end]) && !is_line_end(text_[end]) &&
-               singles.find(text_[end]) == singles.npos)
+               singles.find(text_[end]) == std::string_view::npos)
             ++end;
     const token t = piece(end - at_);
     at_ = end;

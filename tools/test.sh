@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Builds swivel and runs its tests. Installs what is missing on Debian 12, as root or with sudo.
+#
+# usage: tools/test.sh [CTEST-OPTION...]   with g++, optimised, warnings are errors
+#        tools/test.sh --matrix            with all compilers, checkers, processors and releases of xsimd; runs every
+#                                          step and lists at the end those that failed
+#        tools/test.sh --help
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source tools/step.sh
+
+configure() { cmake -S . -B build/test -G Ninja -DCMAKE_BUILD_TYPE=Release -DSWIVEL_WERROR=ON; }
+
+run_tests() {
+    build=build/test
+    tools/install_packages.sh build test || { echo "test.sh: packages are missing"; exit 1; }
+    step configure configure
+    step build cmake --build build/test --parallel
+    step test ctest --test-dir build/test --parallel "$(nproc)" --output-on-failure --no-tests=error "$@"
+}
+
+case ${1-} in
+    --help | -h) sed -n '2,/^set/{/^set/!s/^# \{0,1\}//p}' tools/test.sh ;;
+    --matrix) exec tools/test_matrix.sh ;;
+    *) run_tests "$@" ;;
+esac

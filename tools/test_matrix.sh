@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# The steps of `tools/test.sh --matrix`. Every step is run; the failed ones are listed at the end.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+build=build/matrix
+source tools/step.sh
+start=$SECONDS
+failed=()
+
+check() { step "$@" || failed+=("$1"); }
+
+compile_and_test() { # FOLDER CMAKE-OPTION...
+    cmake -S . -B "$build/$1" -G Ninja -DSWIVEL_WERROR=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "${@:2}" &&
+        cmake --build "$build/$1" --parallel &&
+        ctest --test-dir "$build/$1" --parallel "$(nproc)" --output-on-failure --no-tests=error
+}
+
+format() { find include src kernels tests bench tools -name '*.[ch]pp' -exec clang-format --dry-run -Werror {} +; }
+
+tidy() { run-clang-tidy -quiet -p $build/clang -j "$(nproc)" "$PWD/(src|tools|kernels)/.*"; }
+
+# An old processor: no illegal instruction, and the ISA that it can run is chosen.
+processor() { # CPU ISA
+    local run="qemu-x86_64 -cpu $1" bin=$build/gcc
+    $run $bin/tools/swivel/swivel info | tee "$build/info.txt" &&
+        grep -qE "in use.*\b$2\b|\b$2\b.*in use" "$build/info.txt" &&
+        $run $bin/tests/swivel_tests --gtest_brief=1 --gtest_filter="-Bvh*:Clip*"
+}
+
+newer_xsimd() { # SUITE
+    tools/newer_xsimd.sh "$1" $build/xsimd_"$1" &&
+        compile_and_test with_xsimd_"$1" -DSWIVEL_XSIMD_INCLUDE_DIR="$PWD/$build/xsimd_$1/usr/include" &&
+        grep -hE '#define XSIMD_VERSION_M' $build/xsimd_"$1"/usr/include/xsimd/config/xsimd_config.hpp
+}
+
+fuzz() {
+    mkdir -p $build/corpus &&
+        $build/sanitizers/tests/fuzz/bvh_fuzz -max_total_time=60 -timeout=10 -print_final_stats=1 \
+            -artifact_prefix=$build/ $build/corpus tests/fuzz/corpus
+}
+
+tools/install_packages.sh build test matrix bench || { echo "test.sh: packages are missing"; exit 1; }
+
+sanitize="-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer"
+check "format" format
+check "g++" compile_and_test gcc -DSWIVEL_BUILD_BENCH=ON
+check "clang" compile_and_test clang -DCMAKE_CXX_COMPILER=clang++
+check "clang-tidy" tidy
+check "debug with sanitizers" compile_and_test sanitizers -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
+    -DCMAKE_CXX_FLAGS_DEBUG="-g -O1" -DCMAKE_CXX_FLAGS="$sanitize" -DSWIVEL_BUILD_FUZZ=ON
+check "fuzz BVH files for 60 s" fuzz
+check "x86-64 Nehalem" processor Nehalem sse2
+check "x86-64 Haswell" processor Haswell avx2
+check "x86-64 Haswell without XSAVE" processor Haswell,-xsave sse2
+check "aarch64" compile_and_test aarch64 -DCMAKE_TOOLCHAIN_FILE=tools/cmake/aarch64.cmake -DSWIVEL_BUILD_TOOLS=OFF \
+    -DSWIVEL_GTEST_SOURCE_DIR=/usr/src/googletest
+check "xsimd of Debian 13" newer_xsimd trixie
+step "xsimd of Debian unstable" newer_xsimd sid || echo "not counted: unstable changes from day to day"
+
+printf '\n%d min %02d s\n' $(((SECONDS - start) / 60)) $(((SECONDS - start) % 60))
+if ((${#failed[@]})); then
+    printf 'test.sh: failed: %s\n' "${failed[@]}"
+    exit 1
+fi
+echo "all steps passed"
