@@ -1,0 +1,103 @@
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "arguments.hpp"
+#include "commands.hpp"
+#include "eval_operation.hpp"
+#include "failure.hpp"
+#include "line_reader.hpp"
+#include "output.hpp"
+#include "row_stream.hpp"
+
+namespace swivel::command {
+
+namespace {
+
+enum class number_type { f32, f64 };
+
+struct eval_arguments {
+    std::string file = "-";
+    std::string out = "-";
+    number_type type = number_type::f64;
+    std::optional<swivel::isa> isa;
+    row_stream_options stream;
+    eval_settings settings;
+};
+
+void require_axis_in_f32(const axis_argument& axis) {
+    const auto* const vector = std::get_if<axis_vector>(&axis);
+    if (vector == nullptr) return;
+    const swivel::vec3<float>& v = vector->f32;
+    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+        throw bad_usage("--axis: too long for f32");
+    if (v.x == 0 && v.y == 0 && v.z == 0) throw bad_usage("--axis: has no direction in f32");
+}
+
+void evaluate(const eval_operation& operation, const eval_arguments& arguments) {
+    // Before the input is looked at: contradictions are bad usage whatever the data are.
+    (void)operation.columns(arguments.settings);
+    if (arguments.type == number_type::f32) require_axis_in_f32(arguments.settings.axis);
+    select_isa(arguments.isa);
+
+    line_reader in(arguments.file);
+    output out(arguments.out);
+    if (arguments.type == number_type::f32)
+        stream_rows<float>(operation, arguments.settings, arguments.stream, in, out);
+    else
+        stream_rows<double>(operation, arguments.settings, arguments.stream, in, out);
+    out.commit();
+}
+
+void add_operation(CLI::App& eval, const eval_operation& operation) {
+    const auto arguments = std::make_shared<eval_arguments>();
+    CLI::App* const app = eval.add_subcommand(operation.name, operation.description);
+    app->add_option("FILE", arguments->file, "Table to read, - for standard input (default: -)");
+    operation.add_options(*app, arguments->settings);
+    add_precision(*app, arguments->settings.options.accuracy);
+    add_choice(*app, "--type", arguments->type, {{"f32", number_type::f32}, {"f64", number_type::f64}},
+               "Numbers that are computed with, read and written");
+    add_isa(*app, arguments->isa);
+    add_choice(*app, "--layout", arguments->stream.layout,
+               {{"soa", memory_layout::soa}, {"aos", memory_layout::aos}},
+               "How quaternions and vectors lie in memory; the compact form is always soa");
+    app->add_flag("--pass", arguments->stream.pass,
+                  "Copy the columns that are not read, whatever is in them, in front of the results");
+    app->add_option("--out", arguments->out, "File for the results, - for standard output (default: -)")
+        ->type_name("FILE");
+    app->footer(operation.footer);
+    app->callback([&operation, arguments] { evaluate(operation, *arguments); });
+}
+
+constexpr const char* footer =
+    "Tables: a header row with the names of the columns, in any order, then a row of numbers for each "
+    "rotation,\n"
+    "comma separated, or blank separated where a line has no comma. Fields may stand in double quotes. Lines "
+    "end\n"
+    "with LF, CRLF or CR and have at most 1048576 bytes; empty ones are skipped. Numbers are decimal, with "
+    "an\n"
+    "optional sign, or nan or inf in any letter case. Columns that the operation does not read are refused, "
+    "or\n"
+    "copied with --pass. The results are comma separated, with the shortest numbers that read back as the "
+    "same\n"
+    "ones.\n\n"
+    "Bad data ends the command with FILE:LINE:COLUMN: what was wrong; the rows before it have been written "
+    "to\n"
+    "standard output. A file named by --out is replaced as a whole or left alone.\n\n"
+    "Examples:\n"
+    "  printf 'qx qy qz qw\\n0 0 1 0\\n' | swivel eval decompose --axis z\n"
+    "  swivel eval twist_angle --axis 0.6,0,0.8 --type f32 rotations.csv\n"
+    "  swivel eval decompose --help";
+
+}  // namespace
+
+void add_eval(CLI::App& program) {
+    CLI::App* const app =
+        program.add_subcommand("eval", "Applies an operation of the library to a table of numbers");
+    app->require_subcommand(1);
+    app->footer(footer);
+    for (const eval_operation* const operation : eval_operations()) add_operation(*app, *operation);
+}
+
+}  // namespace swivel::command

@@ -1,0 +1,38 @@
+#include "eval_operation.hpp"
+#include "failure.hpp"
+
+namespace swivel::command {
+
+const std::array<const eval_operation*, 5>& eval_operations() noexcept {
+    static constexpr std::array<const eval_operation*, 5> operations = {
+        &eval_decompose, &eval_compose, &eval_twist, &eval_swing, &eval_twist_angle};
+    return operations;
+}
+
+std::vector<column_group> rotation_columns(const eval_settings& settings) {
+    std::vector<column_group> groups = {{group_kind::quaternion, "q"}};
+    if (std::holds_alternative<axis_columns>(settings.axis)) groups.push_back({group_kind::vector, "a"});
+    return groups;
+}
+
+template <class T>
+swivel::twist_axis<T> axis_of_rows(const eval_settings& settings, const eval_block<T>& in) noexcept {
+    if (const auto* const vector = std::get_if<axis_vector>(&settings.axis)) {
+        if constexpr (std::is_same_v<T, float>)
+            return vector->f32;
+        else
+            return vector->f64;
+    }
+    if (const auto* const coordinate = std::get_if<swivel::axis>(&settings.axis)) return *coordinate;
+    return in.vector(1);
+}
+
+template swivel::twist_axis<float> axis_of_rows(const eval_settings&, const eval_block<float>&) noexcept;
+template swivel::twist_axis<double> axis_of_rows(const eval_settings&, const eval_block<double>&) noexcept;
+
+void require_coordinate_axis(const eval_settings& settings) {
+    if (!std::holds_alternative<swivel::axis>(settings.axis))
+        throw bad_usage("--form compact is about a coordinate axis: --axis x, y or z");
+}
+
+}  // namespace swivel::command

@@ -1,0 +1,39 @@
+#include "eval_operation.hpp"
+
+namespace swivel::command {
+
+namespace {
+
+void add_options(CLI::App& app, eval_settings& settings) {
+    add_axis(app, settings.axis, axis_words::columns);
+    add_product(app, settings.options.order);
+    app.add_flag("--positive-twist", settings.options.positive_twist,
+                 "Flip the twist where needed so that tw is not negative");
+    add_pole_threshold(app, settings.options.pole_threshold);
+}
+
+eval_columns columns(const eval_settings& settings) {
+    return {rotation_columns(settings), {{group_kind::quaternion, "t"}}};
+}
+
+template <class T>
+swivel::status run(const eval_settings& settings, const eval_block<T>& in, const eval_block<T>& out) {
+    return swivel::twist(swivel::quat_view<const T>(in.quaternion(0)), axis_of_rows(settings, in),
+                         out.quaternion(0), settings.options);
+}
+
+}  // namespace
+
+constinit const eval_operation eval_twist = {
+    "twist",
+    "The twist alone",
+    "Reads qx qy qz qw, and with --axis columns ax ay az. Writes tx ty tz tw, the same for both products.\n\n"
+    "Examples:\n"
+    "  printf 'qx qy qz qw\\n0 0 1 0\\n' | swivel eval twist --axis z\n"
+    "  swivel eval twist --axis columns --type f32 rotations.csv",
+    add_options,
+    columns,
+    run<float>,
+    run<double>};
+
+}  // namespace swivel::command

@@ -1,0 +1,38 @@
+#include <iostream>
+
+#include "arguments.hpp"
+#include "commands.hpp"
+
+namespace swivel::command {
+
+namespace {
+
+#if defined(__clang__)
+constexpr const char* compiler = "clang++ " __clang_version__;
+#elif defined(__GNUC__)
+constexpr const char* compiler = "g++ " __VERSION__;
+#else
+constexpr const char* compiler = "unknown";
+#endif
+
+}  // namespace
+
+void add_info(CLI::App& program) {
+    CLI::App* const app =
+        program.add_subcommand("info", "Version, instruction sets and compiler of this build");
+    app->footer(
+        "The environment variable SWIVEL_ISA names another instruction set than the best usable one.\n\n"
+        "Examples:\n"
+        "  swivel info\n"
+        "  SWIVEL_ISA=sse2 swivel info");
+    app->callback([] {
+        select_isa(std::nullopt);
+        std::cout << "version:       " << swivel::version() << "\n"
+                  << "isa in use:    " << swivel::name(swivel::active_isa()) << "\n"
+                  << "isas compiled: " << isa_names(swivel::is_compiled) << "\n"
+                  << "isas usable:   " << isa_names(swivel::is_usable) << "\n"
+                  << "compiler:      " << compiler << "\n";
+    });
+}
+
+}  // namespace swivel::command

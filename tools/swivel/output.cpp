@@ -1,0 +1,138 @@
+#include "output.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <system_error>
+
+#include "failure.hpp"
+
+namespace swivel::command {
+
+namespace {
+
+// The temporary file that a signal has to remove. A signal handler may look at nothing else.
+std::atomic<const char*> pending_file{nullptr};
+static_assert(std::atomic<const char*>::is_always_lock_free);
+
+extern "C" void remove_pending_file(int signal_number) {
+    if (const char* const path = pending_file.load()) unlink(path);
+    std::signal(signal_number, SIG_DFL);
+    std::raise(signal_number);
+}
+
+void watch(int signal_number) noexcept {
+    if (std::signal(signal_number, remove_pending_file) == SIG_IGN) std::signal(signal_number, SIG_IGN);
+}
+
+std::string message(int error_number) { return std::generic_category().message(error_number); }
+
+}  // namespace
+
+output::output(const std::string& path) : name_(path == "-" ? "<stdout>" : path), target_(path) {
+    if (path == "-") {
+        file_ = stdout;
+        return;
+    }
+    if (path.empty()) throw bad_data("the name of the output file is empty");
+
+    std::error_code ignored;
+    const std::filesystem::path resolved = std::filesystem::weakly_canonical(path, ignored);
+    if (!resolved.empty()) target_ = resolved.string();
+
+    struct stat about {};
+    const bool exists = stat(target_.c_str(), &about) == 0;
+    if (exists && S_ISDIR(about.st_mode)) fail("write", EISDIR);
+    if (exists && !S_ISREG(about.st_mode)) {
+        file_ = std::fopen(target_.c_str(), "wb");
+        if (!file_) fail("open", errno);
+        return;
+    }
+    // Renaming would replace a file that may not be written to.
+    if (exists && access(target_.c_str(), W_OK) != 0) fail("write", errno);
+    open_temporary();
+    // mkstemp lets nobody but the owner in.
+    const mode_t mask = umask(0);
+    umask(mask);
+    const mode_t mode = exists ? about.st_mode & 07777 : 0666 & ~mask;
+    if (fchmod(fileno(file_), mode) != 0) {
+        // The file system has no modes of its own, and the file is as it will be.
+    }
+}
+
+void output::open_temporary() {
+    std::string pattern = (std::filesystem::path(target_).parent_path() / ".swivel-XXXXXX").string();
+    const int descriptor = mkstemp(pattern.data());
+    if (descriptor < 0) fail("create a file beside", errno);
+    temporary_ = pattern;
+    pending_file.store(temporary_.c_str());
+    watch(SIGINT);
+    watch(SIGTERM);
+    watch(SIGHUP);
+    file_ = fdopen(descriptor, "wb");
+    if (file_) return;
+    const int reason = errno;
+    close(descriptor);
+    pending_file.store(nullptr);
+    unlink(temporary_.c_str());
+    fail("open", reason);
+}
+
+output::~output() {
+    if (file_ && file_ != stdout) std::fclose(file_);
+    if (temporary_.empty()) return;
+    unlink(temporary_.c_str());
+    pending_file.store(nullptr);
+}
+
+void output::fail(std::string_view doing, int error_number) const {
+    if (error_number == EPIPE) throw closed_pipe();
+    throw bad_data(name_ + ": cannot " + std::string(doing) + " the file: " + message(error_number));
+}
+
+void output::write(std::string_view text) {
+    if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail("write", errno);
+}
+
+void output::flush() {
+    if (std::fflush(file_) != 0) fail("write", errno);
+}
+
+void output::commit() {
+    flush();
+    if (file_ == stdout) return;
+    std::FILE* const file = file_;
+    file_ = nullptr;
+    if (std::fclose(file) != 0) fail("write", errno);
+    if (temporary_.empty()) return;
+    if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail("replace", errno);
+    pending_file.store(nullptr);
+    temporary_.clear();
+}
+
+void prepare_standard_streams() {
+    std::signal(SIGPIPE, SIG_IGN);
+    for (int descriptor = 0; descriptor < 3; ++descriptor) {
+        if (fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
+        // Opened for the wrong direction, so that using it fails as on a closed one.
+        const int opened = open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);
+        if (opened != descriptor && opened >= 0) close(opened);
+    }
+}
+
+void finish_standard_output() {
+    errno = 0;
+    const bool arrived = std::cout.flush().good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (arrived) return;
+    if (errno == EPIPE) throw closed_pipe();
+    throw bad_data("<stdout>: cannot write the file" + (errno != 0 ? ": " + message(errno) : std::string()));
+}
+
+}  // namespace swivel::command

@@ -1,0 +1,44 @@
+#ifndef SWIVEL_COMMAND_ROW_FIELDS_HPP
+#define SWIVEL_COMMAND_ROW_FIELDS_HPP
+
+// One line of a table into its fields, and text into a field.
+//
+// A line with a comma outside quotes is comma separated: the blanks (spaces and tabs) around a field do not
+// belong to it, those within do. Any other line is separated by blanks. A field that begins with a double
+// quote ends at the next one; two in a row stand for one of them. It ends on its line.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace swivel::command {
+
+struct field {
+    std::string_view text;  // without the quotes around it; those within are still doubled
+    std::size_t column = 1;
+    bool is_quoted = false;
+};
+
+struct field_fault {
+    std::size_t column = 1;
+    std::string_view what;
+    std::string_view expected;
+};
+
+// Into `fields`, whose memory is used again; no field for a line of blanks.
+[[nodiscard]] std::optional<field_fault> split_row(std::string_view line, std::vector<field>& fields);
+
+// What a quoted field stands for.
+[[nodiscard]] std::string unquoted(const field& f);
+
+// As a field of a comma-separated row, in quotes if it needs them.
+void append_field(std::string& row, std::string_view text);
+
+// As it stood in its own row.
+void append_field(std::string& row, const field& f);
+
+}  // namespace swivel::command
+
+#endif

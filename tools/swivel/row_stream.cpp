@@ -1,0 +1,203 @@
+#include "row_stream.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "clip/text_cursor.hpp"
+#include "failure.hpp"
+#include "number_text.hpp"
+#include "progress.hpp"
+#include "row_fields.hpp"
+
+namespace swivel::command {
+
+namespace {
+
+constexpr std::size_t rows_in_block = std::size_t{1} << 16;
+constexpr std::size_t passed_bytes_in_block = std::size_t{1} << 24;
+
+// Which column of the operation each field of a row is; nothing for a field that is passed.
+using column_map = std::vector<std::optional<std::size_t>>;
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+    return text;
+}
+
+std::string counted_fields(std::size_t count) {
+    return std::to_string(count) + (count == 1 ? " field" : " fields");
+}
+
+bool next_row(line_reader& in, std::string_view& line, std::vector<field>& fields) {
+    while (in.next(line)) {
+        const std::optional<field_fault> fault = split_row(line, fields);
+        if (fault) throw bad_data(in.name(), in.line_number(), fault->column, fault->what, fault->expected);
+        if (!fields.empty()) return true;
+    }
+    return false;
+}
+
+template <class T>
+class row_stream {
+public:
+    row_stream(const eval_operation& operation, const eval_settings& settings,
+               const row_stream_options& options, line_reader& in, output& out)
+        : settings_(settings),
+          pass_(options.pass),
+          in_(in),
+          out_(out),
+          columns_(operation.columns(settings)),
+          inputs_(columns_.in, options.layout, rows_in_block),
+          outputs_(columns_.out, options.layout, rows_in_block) {
+        if constexpr (std::is_same_v<T, float>)
+            run_ = operation.run_f32;
+        else
+            run_ = operation.run_f64;
+    }
+
+    void run() {
+        read_header();
+        progress bar("reading " + in_.name(), in_.total_bytes());
+        try {
+            while (next_row(in_, line_, fields_)) {
+                read_row();
+                if (rows_ < rows_in_block && passed_.size() < passed_bytes_in_block) continue;
+                write_block();
+                bar.reached(in_.bytes_read());
+            }
+        } catch (const bad_data&) {
+            write_block();
+            out_.flush();
+            throw;
+        }
+        write_block();
+    }
+
+private:
+    [[noreturn]] void fail(std::size_t column, std::string_view what, std::string_view expected) const {
+        throw bad_data(in_.name(), in_.line_number(), column, what, expected);
+    }
+
+    void read_header() {
+        const std::vector<std::string> wanted = column_names(columns_.in);
+        const std::vector<std::string> written = column_names(columns_.out);
+        const std::string expected = "a header row with the columns " + joined(wanted);
+        if (!next_row(in_, line_, fields_))
+            throw bad_data(in_.name(), 1, 1, "there is no header row", expected);
+
+        std::vector<std::string> seen;
+        std::string header;
+        for (const field& f : fields_) {
+            std::string name = unquoted(f);
+            if (name.empty()) fail(f.column, "a column without a name", expected);
+            const auto place = std::find(wanted.begin(), wanted.end(), name);
+            const bool is_read = place != wanted.end();
+            if (!is_read && !pass_)
+                fail(f.column, "unknown column " + clip::quoted(name),
+                     expected + " (--pass copies other ones)");
+            if (std::find(seen.begin(), seen.end(), name) != seen.end())
+                fail(f.column, "the column " + clip::quoted(name) + " is there twice", "each column once");
+            if (!is_read && std::find(written.begin(), written.end(), name) != written.end())
+                fail(f.column, "the column " + clip::quoted(name) + " cannot be passed",
+                     "no name of a column that is written: " + joined(written));
+            map_.push_back(is_read ? std::optional(static_cast<std::size_t>(place - wanted.begin()))
+                                   : std::nullopt);
+            if (!is_read) {
+                append_field(header, name);
+                header += ',';
+            }
+            seen.push_back(std::move(name));
+        }
+        for (const std::string& name : wanted)
+            if (std::find(seen.begin(), seen.end(), name) == seen.end())
+                fail(line_.size() + 1, "the column " + clip::quoted(name) + " is missing", expected);
+        for (const std::string& name : written) header += name + (name == written.back() ? "\n" : ",");
+        out_.write(header);
+    }
+
+    void read_row() {
+        const std::size_t expected = map_.size();
+        if (fields_.size() != expected) {
+            const bool is_short = fields_.size() < expected;
+            fail(is_short ? line_.size() + 1 : fields_[expected].column,
+                 (is_short ? "row too short: " : "row too long: ") + counted_fields(fields_.size()),
+                 std::to_string(expected) + ", as in the header row");
+        }
+        const std::size_t passed_before = passed_.size();
+        for (std::size_t i = 0; i < expected; ++i) {
+            const field& f = fields_[i];
+            if (!map_[i]) {
+                append_field(passed_, f);
+                passed_ += ',';
+                continue;
+            }
+            const clip::parsed<T> number = parse_real<T>(f.text);
+            if (!number.fault.empty()) {
+                passed_.resize(passed_before);
+                if (f.text.empty()) fail(f.column, "an empty field", "a number");
+                fail(f.column, clip::quoted(f.text) + " " + std::string(number.fault), "a number");
+            }
+            inputs_.at(rows_, *map_[i]) = number.value;
+        }
+        passed_ends_.push_back(passed_.size());
+        ++rows_;
+    }
+
+    void write_block() {
+        if (rows_ == 0) return;
+        inputs_.resize(rows_);
+        outputs_.resize(rows_);
+        if (const swivel::status s = run_(settings_, inputs_, outputs_); s != swivel::status::ok)
+            throw bad_usage(std::string("the library refused: ") + swivel::name(s));
+
+        text_.clear();
+        std::size_t passed_from = 0;
+        for (std::size_t row = 0; row < rows_; ++row) {
+            text_.append(passed_, passed_from, passed_ends_[row] - passed_from);
+            passed_from = passed_ends_[row];
+            for (std::size_t column = 0; column < outputs_.columns(); ++column) {
+                if (column > 0) text_ += ',';
+                append_number(text_, outputs_.at(row, column));
+            }
+            text_ += '\n';
+        }
+        out_.write(text_);
+        rows_ = 0;
+        passed_.clear();
+        passed_ends_.clear();
+    }
+
+    const eval_settings& settings_;
+    bool pass_;
+    line_reader& in_;
+    output& out_;
+    eval_columns columns_;
+    eval_block<T> inputs_, outputs_;
+    eval_function<T> run_ = nullptr;
+    column_map map_;
+
+    std::string_view line_;
+    std::vector<field> fields_;
+    std::size_t rows_ = 0;
+    std::string passed_;  // of all rows of the block, each field with its comma
+    std::vector<std::size_t> passed_ends_;
+    std::string text_;
+};
+
+}  // namespace
+
+template <class T>
+void stream_rows(const eval_operation& operation, const eval_settings& settings,
+                 const row_stream_options& options, line_reader& in, output& out) {
+    row_stream<T>(operation, settings, options, in, out).run();
+}
+
+template void stream_rows<float>(const eval_operation&, const eval_settings&, const row_stream_options&,
+                                 line_reader&, output&);
+template void stream_rows<double>(const eval_operation&, const eval_settings&, const row_stream_options&,
+                                  line_reader&, output&);
+
+}  // namespace swivel::command
