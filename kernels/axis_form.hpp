@@ -32,8 +32,15 @@ inline half_twist<V> half_twist_of(V w, V u, V t, V norm_squared, V threshold) n
     const V limit = M::multiply_add(threshold, norm_squared, V(constants<T>::pole_floor));
     const V t_or_nan = M::multiply_add(V(T(0)), norm_squared, t);
     const mask_of<V> regular = not_less_equal(t_or_nan, limit);
-    const V scale = M::reciprocal_root(t_or_nan);
-    return {product_or(regular, w, scale, one_signed_like(w)), product_or_zero(regular, u, scale)};
+    if constexpr (P == reproducible_index) {
+        // Two quotients, not one reciprocal: the rounding of a reciprocal would go into every norm.
+        const V root = square_root_of(t_or_nan);
+        return {xsimd::select(regular, quotient(w, root), one_signed_like(w)),
+                xsimd::select(regular, quotient(u, root), V(T(0)))};
+    } else {
+        const V scale = M::reciprocal_root(t_or_nan);
+        return {product_or(regular, w, scale, one_signed_like(w)), product_or_zero(regular, u, scale)};
+    }
 }
 
 // Streams in: B C A w. Uniform: the threshold. Components out in the same order.
@@ -105,11 +112,15 @@ struct vector_form {
 
     static V along_axis(const element& q) noexcept { return q.u; }
 
-    element project(const V* in, const unit_vector<V>& a, half_twist<V>& h) const noexcept {
+    element project(const V* in, const unit_vector<V>& a, V excess, half_twist<V>& h) const noexcept {
         const V x = in[0], y = in[1], z = in[2], w = in[3];
         const V u = M::multiply_add(a.z, z, M::multiply_add(a.y, y, a.x * x));
         const V w_squared = w * w;
-        const V t = M::multiply_add(u, u, w_squared);
+        V t;
+        if constexpr (P == fast_index)
+            t = M::multiply_add(u, u, w_squared);
+        else
+            t = u * u + (w_squared + excess * (u * u));
         // As above: x and y may be exchanged.
         const V norm_squared =
             M::fuses ? M::multiply_add(z, z, M::multiply_add(y, y, M::multiply_add(x, x, w_squared)))
@@ -126,7 +137,11 @@ struct vector_form {
         out[0] = swing_component(q.x, q.a.x, ty, q.z, tz, q.y, h, along);
         out[1] = swing_component(q.y, q.a.y, tz, q.x, tx, q.z, h, along);
         out[2] = swing_component(q.z, q.a.z, tx, q.y, ty, q.x, h, along);
-        out[3] = M::multiply_add(h.sine, q.u, h.cosine * q.w);
+        // T.q is c w + d u, but free of the rounding of u.
+        if constexpr (P == fast_index)
+            out[3] = M::multiply_add(h.sine, q.u, h.cosine * q.w);
+        else
+            out[3] = h.cosine * q.w + ((tx * q.x + ty * q.y) + tz * q.z);
     }
 
     // c v - (c u) a + (p q - r s), the last being one component of d a x v.
@@ -146,19 +161,21 @@ struct vector_form {
     }
 };
 
-// Uniform: the threshold and the unit axis.
+// Uniform: the threshold, the unit axis, and |a|^2 - 1, what its rounding left over. The latter is taken out
+// of the norms in reproducible; fast has room for it in its figures.
 template <precision_index P, class V>
 struct uniform_form : vector_form<P, V> {
     using base = vector_form<P, V>;
     static constexpr int inputs = 4;
 
     unit_vector<V> a;
+    V excess;
 
     explicit uniform_form(const scalar_of<V>* uniform) noexcept
-        : base{V(uniform[0])}, a{V(uniform[1]), V(uniform[2]), V(uniform[3])} {}
+        : base{V(uniform[0])}, a{V(uniform[1]), V(uniform[2]), V(uniform[3])}, excess(uniform[4]) {}
 
     typename base::element read(const V* in, half_twist<V>& h) const noexcept {
-        return base::project(in, a, h);
+        return base::project(in, a, excess, h);
     }
 };
 
@@ -175,7 +192,7 @@ struct per_element_form : vector_form<P, V> {
     explicit per_element_form(const T* uniform) noexcept : base{V(uniform[0])} {}
 
     typename base::element read(const V* in, half_twist<V>& h) const noexcept {
-        return base::project(in, normalized(in[4], in[5], in[6]), h);
+        return base::project(in, normalized(in[4], in[5], in[6]), V(T(0)), h);
     }
 
     static unit_vector<V> normalized(V x, V y, V z) noexcept {
@@ -185,8 +202,14 @@ struct per_element_form : vector_form<P, V> {
         z = z * scale;
         const V squared =
             M::fuses ? M::multiply_add(z, z, M::multiply_add(y, y, x * x)) : (x * x + y * y) + z * z;
-        const V root = M::reciprocal_root(larger(V(constants<T>::pole_floor), squared));
-        return {x * root, y * root, z * root};
+        const V no_less = larger(V(constants<T>::pole_floor), squared);
+        if constexpr (P == reproducible_index) {
+            const V root = square_root_of(no_less);
+            return {quotient(x, root), quotient(y, root), quotient(z, root)};
+        } else {
+            const V root = M::reciprocal_root(no_less);
+            return {x * root, y * root, z * root};
+        }
     }
 
     // 2^(1 - e) for 2^e <= a < 2^(e + 1), at most the largest power of two; 0 for infinity and NaN. Inverting

@@ -52,6 +52,8 @@ inline xsimd::batch<double, A> rsqrt_estimate(xsimd::batch<double, A> t) noexcep
 inline constexpr bool has_fma = true;
 template <class T>
 inline constexpr int newton_steps = sizeof(T) == 4 ? 1 : 2;
+template <class T>
+inline constexpr T newton_one = 1;
 
 #elif defined(__SSE2__)
 
@@ -67,6 +69,10 @@ inline xsimd::batch<float, A> rsqrt_estimate(xsimd::batch<float, A> t) noexcept 
 // needs, the speed of a square root and a division.
 template <class T>
 inline constexpr int newton_steps = sizeof(T) == 4 ? 1 : -1;
+// After one step from an estimate of 11 bits the root is too small by up to 3 units of 2^-24, never too
+// large; this adds 1.
+template <class T>
+inline constexpr T newton_one = sizeof(T) == 4 ? T(1 + 0x1p-23) : T(1);
 
 #if defined(__FMA__)
 inline constexpr bool has_fma = true;
@@ -122,6 +128,8 @@ inline constexpr bool has_fma = true;
 // The estimate has only 8 bits.
 template <class T>
 inline constexpr int newton_steps = sizeof(T) == 4 ? 2 : 3;
+template <class T>
+inline constexpr T newton_one = 1;
 
 #endif
 
@@ -254,7 +262,7 @@ struct arithmetic {
         } else {
             V y = rsqrt_estimate(t);
             for (int step = 0; step < newton_steps<T>; ++step) {
-                const V residual = negate_multiply_add(t * y, y, V(T(1)));
+                const V residual = negate_multiply_add(t * y, y, V(newton_one<T>));
                 y = multiply_add(V(T(0.5)) * y, residual, y);
             }
             return y;

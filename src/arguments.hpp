@@ -100,9 +100,11 @@ struct projection {
         b.uniform[0] = threshold_of<T>(o);
         if (a.kind == twist_axis<T>::form::coordinate) return swivel::check(a.coordinate);
         if (a.kind == twist_axis<T>::form::uniform) {
-            T unit[3];
-            if (!unit_axis(a.uniform, unit)) return status::bad_argument;
-            for (int k = 0; k < 3; ++k) b.uniform[1 + k] = unit[order.component[k]];
+            unit_axis<T> unit;
+            if (!normalize(a.uniform, unit)) return status::bad_argument;
+            const T component[3] = {unit.x, unit.y, unit.z};
+            for (int k = 0; k < 3; ++k) b.uniform[1 + k] = component[order.component[k]];
+            b.uniform[4] = unit.excess;
         }
         return status::ok;
     }

@@ -23,8 +23,8 @@ half_twist<T> half_twist_of(T w, T u, T t, T norm_squared, T threshold) {
     const T nan_unless_finite = T(0) * norm_squared;
     t = nan_unless_finite + t;
     if (t <= threshold * norm_squared + constants<T>::pole_floor) return {std::copysign(T(1), w), T(0)};
-    const T scale = T(1) / std::sqrt(t);
-    return {w * scale, u * scale};
+    const T root = std::sqrt(t);
+    return {w / root, u / root};
 }
 
 template <class T>
@@ -82,37 +82,36 @@ factors<T> factors_about(axis a, const quat<T>& q, const half_twist<T>& h, produ
 }
 
 template <class T>
-vec3<T> times(T s, const vec3<T>& v) {
-    return {s * v.x, s * v.y, s * v.z};
-}
-
-template <class T>
 vec3<T> cross(const vec3<T>& l, const vec3<T>& r) {
     return {l.y * r.z - l.z * r.y, l.z * r.x - l.x * r.z, l.x * r.y - l.y * r.x};
 }
 
+// The rounding of a uniform axis is known and is taken out of w^2 + (a.v)^2, so that |T| does not have it.
 template <class T>
-half_twist<T> half_twist_about(const vec3<T>& a, const quat<T>& q, T threshold) {
+half_twist<T> half_twist_about(const unit_axis<T>& a, const quat<T>& q, T threshold) {
     const T u = (a.x * q.x + a.y * q.y) + a.z * q.z;
-    const T w_squared = q.w * q.w;
+    const T w_squared = q.w * q.w, u_squared = u * u;
     const T norm_squared = ((q.x * q.x + q.y * q.y) + q.z * q.z) + w_squared;
-    return half_twist_of(q.w, u, u * u + w_squared, norm_squared, threshold);
+    return half_twist_of(q.w, u, u_squared + (w_squared + a.excess * u_squared), norm_squared, threshold);
 }
 
-// S = (c w + d u, c v - c u a + d a x v); the other order of the product has v x a.
+// S = (c w + d u, c v - c u a + d a x v), where d u is written as T.v, which the rounding of u does not
+// enter; the other order of the product has v x a.
 template <class T>
-quat<T> swing_about(const vec3<T>& a, const quat<T>& q, const half_twist<T>& h, product order) {
-    const vec3<T> v{q.x, q.y, q.z}, t = times(h.sine, a);
+quat<T> swing_about(const unit_axis<T>& a, const quat<T>& q, const half_twist<T>& h, product order) {
+    const vec3<T> v{q.x, q.y, q.z};
+    const vec3<T> t{h.sine * a.x, h.sine * a.y, h.sine * a.z};
     const T u = (a.x * q.x + a.y * q.y) + a.z * q.z;
     const vec3<T> turned = order == product::swing_twist ? cross(t, v) : cross(v, t);
     const T along = h.cosine * u;
     return {(h.cosine * v.x - along * a.x) + turned.x, (h.cosine * v.y - along * a.y) + turned.y,
-            (h.cosine * v.z - along * a.z) + turned.z, h.cosine * q.w + h.sine * u};
+            (h.cosine * v.z - along * a.z) + turned.z,
+            h.cosine * q.w + ((t.x * v.x + t.y * v.y) + t.z * v.z)};
 }
 
 template <class T>
-quat<T> twist_about(const vec3<T>& a, const quat<T>&, const half_twist<T>& h) {
-    const vec3<T> t = times(h.sine, a);
+quat<T> twist_about(const unit_axis<T>& a, const quat<T>&, const half_twist<T>& h) {
+    const vec3<T> t{h.sine * a.x, h.sine * a.y, h.sine * a.z};
     return {t.x, t.y, t.z, h.cosine};
 }
 
@@ -134,9 +133,10 @@ quat<T> twist_about(axis a, const quat<T>& q, const half_twist<T>& h) {
     return from<T>(a, {h.sine, zero_or_nan(a, q), zero_or_nan(a, q), h.cosine});
 }
 
-// The axis of one element to unit length, by way of a power of two that keeps the squares in range.
+// The axis of one element to unit length, by way of a power of two that keeps the squares in range. What
+// rounding left over is not known here.
 template <class T>
-vec3<T> normalized(const vec3<T>& v) {
+unit_axis<T> normalized(const vec3<T>& v) {
     T largest = std::fabs(v.x) > std::fabs(v.y) ? std::fabs(v.x) : std::fabs(v.y);
     largest = largest > std::fabs(v.z) ? largest : std::fabs(v.z);
     T scale = 0;
@@ -146,10 +146,10 @@ vec3<T> normalized(const vec3<T>& v) {
         const int most = std::numeric_limits<T>::max_exponent - 1;
         scale = std::ldexp(T(1), 2 - exponent < most ? 2 - exponent : most);
     }
-    const vec3<T> s = times(scale, v);
+    const vec3<T> s{scale * v.x, scale * v.y, scale * v.z};
     const T squared = (s.x * s.x + s.y * s.y) + s.z * s.z;
-    return times(T(1) / std::sqrt(constants<T>::pole_floor > squared ? constants<T>::pole_floor : squared),
-                 s);
+    const T root = std::sqrt(constants<T>::pole_floor > squared ? constants<T>::pole_floor : squared);
+    return {s.x / root, s.y / root, s.z / root, 0};
 }
 
 template <class T>
@@ -245,9 +245,9 @@ status for_each(projection<T>& p, const quat_view<const T>& q, const twist_axis<
                 body(i, read(q, i), a.coordinate);
                 break;
             case twist_axis<T>::form::uniform: {
-                T unit[3] = {};
-                unit_axis(a.uniform, unit);
-                body(i, read(q, i), vec3<T>{unit[0], unit[1], unit[2]});
+                unit_axis<T> unit{};
+                normalize(a.uniform, unit);
+                body(i, read(q, i), unit);
                 break;
             }
             case twist_axis<T>::form::per_element:
