@@ -99,7 +99,8 @@ def library_faults(objdump, library, avx):
     listing = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
     member, function, told, members = "", "", None, set()
     for line in listing.splitlines():
-        if match := re.match(r"(\S+):\s+file format", line):
+        # GNU names the member alone, LLVM "library.a(member)".
+        if match := re.match(r"(?:.*\()?([^()]+)\)?:\s+file format", line):
             member = match[1]
             members.add(member)
         elif match := re.match(r"[0-9a-f]+ <(.*)>:$", line):
