@@ -41,6 +41,13 @@ axis_vector parse_axis_vector(const std::string& given, const std::string& words
 
 }  // namespace
 
+void require_one_subcommand(CLI::App& app) {
+    app.require_subcommand(0, 1);
+    app.final_callback([&app] {
+        if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
+    });
+}
+
 CLI::Option* add_axis(CLI::App& app, axis_argument& value, axis_words words) {
     std::string known;
     std::string description = "Axis of the twist: a coordinate axis, or a vector of any length but 0";

@@ -15,6 +15,9 @@
 
 namespace swivel::command {
 
+// What App::require_subcommand(1) does, but an unknown subcommand is named before one is asked for.
+void require_one_subcommand(CLI::App& app);
+
 struct automatic_axis {};
 struct axis_columns {};
 // Read from the text in either type, so that neither is rounded twice.

@@ -95,7 +95,7 @@ constexpr const char* footer =
 void add_eval(CLI::App& program) {
     CLI::App* const app =
         program.add_subcommand("eval", "Applies an operation of the library to a table of numbers");
-    app->require_subcommand(1);
+    require_one_subcommand(*app);
     app->footer(footer);
     for (const eval_operation* const operation : eval_operations()) add_operation(*app, *operation);
 }

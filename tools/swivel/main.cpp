@@ -6,6 +6,7 @@
 #include <new>
 #include <string>
 
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "failure.hpp"
 #include "output.hpp"
@@ -33,7 +34,7 @@ void parse_and_run(CLI::App& program, int argc, char** argv, int& exit_code) {
 int run(int argc, char** argv) {
     CLI::App program("Factors rotations into swing and twist.", "swivel");
     program.set_version_flag("--version", std::string("swivel ") + swivel::version());
-    program.require_subcommand(1);
+    require_one_subcommand(program);
     program.footer(
         "Examples:\n"
         "  swivel decompose walk.bvh\n"

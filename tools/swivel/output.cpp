@@ -49,14 +49,14 @@ output::output(const std::string& path) : name_(path == "-" ? "<stdout>" : path)
 
     struct stat about {};
     const bool exists = stat(target_.c_str(), &about) == 0;
-    if (exists && S_ISDIR(about.st_mode)) fail("write", EISDIR);
+    if (exists && S_ISDIR(about.st_mode)) fail("write the file", EISDIR);
     if (exists && !S_ISREG(about.st_mode)) {
         file_ = std::fopen(target_.c_str(), "wb");
-        if (!file_) fail("open", errno);
+        if (!file_) fail("open the file", errno);
         return;
     }
     // Renaming would replace a file that may not be written to.
-    if (exists && access(target_.c_str(), W_OK) != 0) fail("write", errno);
+    if (exists && access(target_.c_str(), W_OK) != 0) fail("write the file", errno);
     open_temporary();
     // mkstemp lets nobody but the owner in.
     const mode_t mask = umask(0);
@@ -70,7 +70,7 @@ output::output(const std::string& path) : name_(path == "-" ? "<stdout>" : path)
 void output::open_temporary() {
     std::string pattern = (std::filesystem::path(target_).parent_path() / ".swivel-XXXXXX").string();
     const int descriptor = mkstemp(pattern.data());
-    if (descriptor < 0) fail("create a file beside", errno);
+    if (descriptor < 0) fail("create a temporary file in the same folder", errno);
     temporary_ = pattern;
     pending_file.store(temporary_.c_str());
     watch(SIGINT);
@@ -82,7 +82,7 @@ void output::open_temporary() {
     close(descriptor);
     pending_file.store(nullptr);
     unlink(temporary_.c_str());
-    fail("open", reason);
+    fail("open the file", reason);
 }
 
 output::~output() {
@@ -94,15 +94,15 @@ output::~output() {
 
 void output::fail(std::string_view doing, int error_number) const {
     if (error_number == EPIPE) throw closed_pipe();
-    throw bad_data(name_ + ": cannot " + std::string(doing) + " the file: " + message(error_number));
+    throw bad_data(name_ + ": cannot " + std::string(doing) + ": " + message(error_number));
 }
 
 void output::write(std::string_view text) {
-    if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail("write", errno);
+    if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail("write the file", errno);
 }
 
 void output::flush() {
-    if (std::fflush(file_) != 0) fail("write", errno);
+    if (std::fflush(file_) != 0) fail("write the file", errno);
 }
 
 void output::commit() {
@@ -110,9 +110,9 @@ void output::commit() {
     if (file_ == stdout) return;
     std::FILE* const file = file_;
     file_ = nullptr;
-    if (std::fclose(file) != 0) fail("write", errno);
+    if (std::fclose(file) != 0) fail("write the file", errno);
     if (temporary_.empty()) return;
-    if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail("replace", errno);
+    if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail("replace the file", errno);
     pending_file.store(nullptr);
     temporary_.clear();
 }

@@ -85,8 +85,7 @@ private:
         const std::vector<std::string> wanted = column_names(columns_.in);
         const std::vector<std::string> written = column_names(columns_.out);
         const std::string expected = "a header row with the columns " + joined(wanted);
-        if (!next_row(in_, line_, fields_))
-            throw bad_data(in_.name(), 1, 1, "there is no header row", expected);
+        if (!next_row(in_, line_, fields_)) throw bad_data(in_.name(), 1, 1, "the input is empty", expected);
 
         std::vector<std::string> seen;
         std::string header;
