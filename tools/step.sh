@@ -17,8 +17,9 @@ step() {
         sed -n '/% tests passed/,$p' "$log"
         return 0
     fi
-    # Of a test run, all but what passed.
-    grep -vE '^ *Start +[0-9]+: | Passed +[0-9.]+ sec$' "$log" | tail -n 60 || true
+    grep -E 'error:|: Failure|\*\*\*Failed' "$log" | cut -c 1-200 | head -n 20 || true
+    echo ...
+    tail -n 15 "$log" | cut -c 1-200
     echo "${0##*/}: $name failed, see $log"
     return 1
 }
