@@ -59,8 +59,6 @@ struct coordinate_form {
 
     explicit coordinate_form(const T* uniform) noexcept : threshold(uniform[0]) {}
 
-    static V along_axis(const element& q) noexcept { return q.a; }
-
     element read(const V* in, half_twist<V>& h) const noexcept {
         const V b = in[0], c = in[1], a = in[2], w = in[3];
         const V t = M::multiply_add(a, a, w * w);
@@ -92,29 +90,22 @@ struct coordinate_form {
     static V zero_or_nan(const element& q) noexcept { return V(T(0)) * q.norm_squared; }
 };
 
-template <class V>
-struct unit_vector {
-    V x, y, z;
-};
-
 // Streams in: x y z w, components out in the same order. Derived forms say where the axis comes from.
 template <precision_index P, class V>
 struct vector_form {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
 
+    // Flat: gcc 12 keeps a nested structure in memory.
     struct element {
-        V x, y, z, w, u;
-        unit_vector<V> a;
+        V x, y, z, w, u, ax, ay, az;
     };
 
     V threshold;
 
-    static V along_axis(const element& q) noexcept { return q.u; }
-
-    element project(const V* in, const unit_vector<V>& a, V excess, half_twist<V>& h) const noexcept {
+    element project(const V* in, V ax, V ay, V az, V excess, half_twist<V>& h) const noexcept {
         const V x = in[0], y = in[1], z = in[2], w = in[3];
-        const V u = M::multiply_add(a.z, z, M::multiply_add(a.y, y, a.x * x));
+        const V u = M::multiply_add(az, z, M::multiply_add(ay, y, ax * x));
         const V w_squared = w * w;
         V t;
         if constexpr (P == fast_index)
@@ -126,17 +117,17 @@ struct vector_form {
             M::fuses ? M::multiply_add(z, z, M::multiply_add(y, y, M::multiply_add(x, x, w_squared)))
                      : ((x * x + y * y) + z * z) + w_squared;
         h = half_twist_of<P>(w, u, t, norm_squared, threshold);
-        return {x, y, z, w, u, a};
+        return {x, y, z, w, u, ax, ay, az};
     }
 
     // S = q T* = (c w + d u, c v - c u a + d a x v). The part c u of v along the axis is written without d,
     // so that it is taken out at the pole too.
     static void swing(const element& q, const half_twist<V>& h, V* out) noexcept {
         const V along = h.cosine * q.u;
-        const V tx = h.sine * q.a.x, ty = h.sine * q.a.y, tz = h.sine * q.a.z;
-        out[0] = swing_component(q.x, q.a.x, ty, q.z, tz, q.y, h, along);
-        out[1] = swing_component(q.y, q.a.y, tz, q.x, tx, q.z, h, along);
-        out[2] = swing_component(q.z, q.a.z, tx, q.y, ty, q.x, h, along);
+        const V tx = h.sine * q.ax, ty = h.sine * q.ay, tz = h.sine * q.az;
+        out[0] = swing_component(q.x, q.ax, ty, q.z, tz, q.y, h, along);
+        out[1] = swing_component(q.y, q.ay, tz, q.x, tx, q.z, h, along);
+        out[2] = swing_component(q.z, q.az, tx, q.y, ty, q.x, h, along);
         // T.q is c w + d u, but free of the rounding of u.
         if constexpr (P == fast_index)
             out[3] = M::multiply_add(h.sine, q.u, h.cosine * q.w);
@@ -154,9 +145,9 @@ struct vector_form {
     }
 
     static void twist(const element& q, const half_twist<V>& h, V* out) noexcept {
-        out[0] = h.sine * q.a.x;
-        out[1] = h.sine * q.a.y;
-        out[2] = h.sine * q.a.z;
+        out[0] = h.sine * q.ax;
+        out[1] = h.sine * q.ay;
+        out[2] = h.sine * q.az;
         out[3] = h.cosine;
     }
 };
@@ -168,15 +159,19 @@ struct uniform_form : vector_form<P, V> {
     using base = vector_form<P, V>;
     static constexpr int inputs = 4;
 
-    unit_vector<V> a;
-    V excess;
+    V ax, ay, az, excess;
 
     explicit uniform_form(const scalar_of<V>* uniform) noexcept
-        : base{V(uniform[0])}, a{V(uniform[1]), V(uniform[2]), V(uniform[3])}, excess(uniform[4]) {}
+        : base{V(uniform[0])}, ax(uniform[1]), ay(uniform[2]), az(uniform[3]), excess(uniform[4]) {}
 
     typename base::element read(const V* in, half_twist<V>& h) const noexcept {
-        return base::project(in, a, excess, h);
+        return base::project(in, ax, ay, az, excess, h);
     }
+};
+
+template <class V>
+struct unit_vector {
+    V x, y, z;
 };
 
 // Streams in, after those of the quaternion: the axis x y z. Any length from the smallest subnormal number
@@ -192,7 +187,8 @@ struct per_element_form : vector_form<P, V> {
     explicit per_element_form(const T* uniform) noexcept : base{V(uniform[0])} {}
 
     typename base::element read(const V* in, half_twist<V>& h) const noexcept {
-        return base::project(in, normalized(in[4], in[5], in[6]), V(T(0)), h);
+        const unit_vector<V> a = normalized(in[4], in[5], in[6]);
+        return base::project(in, a.x, a.y, a.z, V(T(0)), h);
     }
 
     static unit_vector<V> normalized(V x, V y, V z) noexcept {

@@ -7,7 +7,7 @@ set -euo pipefail
 
 declare -A groups=(
     [build]="cmake ninja-build g++ libxsimd-dev libcli11-dev"
-    [test]="libgtest-dev pkg-config python3"
+    [test]="libgtest-dev nlohmann-json3-dev pkg-config python3"
     [matrix]="clang libclang-rt-14-dev clang-format clang-tidy qemu-user g++-aarch64-linux-gnu"
     [bench]="libbenchmark-dev libeigen3-dev libglm-dev"
 )

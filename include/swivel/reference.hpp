@@ -17,16 +17,16 @@ status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float>
 status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
                  quat_view<double> twist, options = {}) noexcept;
 status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
-                 quat_view<float> twist, scalar_view<float> signs, options = {}) noexcept;
+                 quat_view<float> twist, scalar_view<float> signs, options) noexcept;
 status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
-                 quat_view<double> twist, scalar_view<double> signs, options = {}) noexcept;
+                 quat_view<double> twist, scalar_view<double> signs, options) noexcept;
 
 status decompose(quat_view<const float> q, axis a, factor_view<float> out, options = {}) noexcept;
 status decompose(quat_view<const double> q, axis a, factor_view<double> out, options = {}) noexcept;
 status decompose(quat_view<const float> q, axis a, factor_view<float> out, scalar_view<float> signs,
-                 options = {}) noexcept;
+                 options) noexcept;
 status decompose(quat_view<const double> q, axis a, factor_view<double> out, scalar_view<double> signs,
-                 options = {}) noexcept;
+                 options) noexcept;
 
 status twist(quat_view<const float> q, twist_axis<float> a, quat_view<float> out, options = {}) noexcept;
 status twist(quat_view<const double> q, twist_axis<double> a, quat_view<double> out, options = {}) noexcept;

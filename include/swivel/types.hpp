@@ -55,8 +55,8 @@ enum class [[nodiscard]] status : std::uint8_t{
     size_mismatch,    // the views differ in size
     partial_overlap,  // an output overlaps an input or another output without being exactly an input
     bad_argument,     // zero or non-finite axis, an enumerator out of range, a threshold outside [0, 1], an
-                   // output of stride 0, a view that is larger than memory
-    isa_unavailable  // set_active_isa: this ISA is not compiled in or not usable on this machine
+                      // output of stride 0, a view that is larger than memory
+    isa_unavailable   // set_active_isa: this ISA is not compiled in or not usable on this machine
 };
 
 // The English words for a status, for messages; never null.
