@@ -219,7 +219,7 @@ void decompose_clip(const decompose_arguments& arguments) {
 
     text_table table = empty_table();
     {
-        progress bar("factoring " + shown_name, joints.size());
+        progress bar("factoring " + shown_name, joints.size(), !csv || !csv->is_terminal());
         joint_curves curves;
         for (std::size_t i = 0; i < joints.size(); ++i) {
             const std::string& name = c.skeleton.joints[joints[i]].name;
@@ -237,9 +237,9 @@ void decompose_clip(const decompose_arguments& arguments) {
     if (csv && csv->is_standard_output()) {
         std::cerr << summary;
     } else {
-        output terminal("-");
-        terminal.write(summary);
-        terminal.commit();
+        output standard_output("-");
+        standard_output.write(summary);
+        standard_output.commit();
     }
 }
 

@@ -1,7 +1,8 @@
-#include <iostream>
+#include <string>
 
 #include "arguments.hpp"
 #include "commands.hpp"
+#include "output.hpp"
 
 namespace swivel::command {
 
@@ -27,11 +28,11 @@ void add_info(CLI::App& program) {
         "  SWIVEL_ISA=sse2 swivel info");
     app->callback([] {
         select_isa(std::nullopt);
-        std::cout << "version:       " << swivel::version() << "\n"
-                  << "isa in use:    " << swivel::name(swivel::active_isa()) << "\n"
-                  << "isas compiled: " << isa_names(swivel::is_compiled) << "\n"
-                  << "isas usable:   " << isa_names(swivel::is_usable) << "\n"
-                  << "compiler:      " << compiler << "\n";
+        output out("-");
+        out.write(std::string("version:       ") + swivel::version() + "\nisa in use:    " +
+                  swivel::name(swivel::active_isa()) + "\nisas compiled: " + isa_names(swivel::is_compiled) +
+                  "\nisas usable:   " + isa_names(swivel::is_usable) + "\ncompiler:      " + compiler + "\n");
+        out.commit();
     });
 }
 

@@ -4,6 +4,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <string>
 
 #include "arguments.hpp"
@@ -16,19 +17,29 @@ namespace swivel::command {
 namespace {
 
 int failed(const std::string& message, int exit_code) {
-    std::cout.flush();
     std::cerr << message << "\n";
     return exit_code;
 }
 
-void parse_and_run(CLI::App& program, int argc, char** argv, int& exit_code) {
+// Help and version come as exceptions too.
+int exit_code_of(const CLI::App& program, const CLI::ParseError& e) {
+    std::ostringstream asked_for, complaint;
+    const bool is_fine = program.exit(e, asked_for, complaint) == 0;
+    output out("-");
+    out.write(asked_for.str());
+    out.commit();
+    std::cerr << complaint.str();
+    // The codes of CLI11 tell more kinds of bad usage apart than anyone needs.
+    return is_fine ? exit_ok : exit_bad_usage;
+}
+
+int parse_and_run(CLI::App& program, int argc, char** argv) {
     try {
         program.parse(argc, argv);
+        return exit_ok;
     } catch (const CLI::ParseError& e) {
-        // The codes of CLI11 tell more kinds of bad usage apart than anyone needs.
-        exit_code = program.exit(e) == 0 ? exit_ok : exit_bad_usage;
+        return exit_code_of(program, e);
     }
-    if (exit_code == exit_ok) finish_standard_output();
 }
 
 int run(int argc, char** argv) {
@@ -45,10 +56,8 @@ int run(int argc, char** argv) {
     add_decompose(program);
     add_eval(program);
 
-    int exit_code = exit_ok;
     try {
-        parse_and_run(program, argc, argv, exit_code);
-        return exit_code;
+        return parse_and_run(program, argc, argv);
     } catch (const bad_usage& e) {
         return failed(std::string(e.what()) + "\nRun with --help for more information.", exit_bad_usage);
     } catch (const closed_pipe&) {

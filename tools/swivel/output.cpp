@@ -9,7 +9,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <iostream>
 #include <system_error>
 
 #include "failure.hpp"
@@ -32,8 +31,6 @@ void watch(int signal_number) noexcept {
     if (std::signal(signal_number, remove_pending_file) == SIG_IGN) std::signal(signal_number, SIG_IGN);
 }
 
-std::string message(int error_number) { return std::generic_category().message(error_number); }
-
 }  // namespace
 
 output::output(const std::string& path) : name_(path == "-" ? "<stdout>" : path), target_(path) {
@@ -43,10 +40,7 @@ output::output(const std::string& path) : name_(path == "-" ? "<stdout>" : path)
     }
     if (path.empty()) throw bad_data("the name of the output file is empty");
 
-    std::error_code ignored;
-    const std::filesystem::path resolved = std::filesystem::weakly_canonical(path, ignored);
-    if (!resolved.empty()) target_ = resolved.string();
-
+    follow_links();
     struct stat about {};
     const bool exists = stat(target_.c_str(), &about) == 0;
     if (exists && S_ISDIR(about.st_mode)) fail("write the file", EISDIR);
@@ -65,6 +59,18 @@ output::output(const std::string& path) : name_(path == "-" ? "<stdout>" : path)
     if (fchmod(fileno(file_), mode) != 0) {
         // The file system has no modes of its own, and the file is as it will be.
     }
+}
+
+void output::follow_links() {
+    namespace fs = std::filesystem;
+    constexpr int most = 40;
+    std::error_code ignored;
+    fs::path target = target_;
+    for (int links = 0; fs::is_symlink(fs::symlink_status(target, ignored)); ++links) {
+        if (links == most) fail("write the file", ELOOP);
+        target = target.parent_path() / fs::read_symlink(target, ignored);
+    }
+    target_ = target.string();
 }
 
 void output::open_temporary() {
@@ -94,8 +100,11 @@ output::~output() {
 
 void output::fail(std::string_view doing, int error_number) const {
     if (error_number == EPIPE) throw closed_pipe();
-    throw bad_data(name_ + ": cannot " + std::string(doing) + ": " + message(error_number));
+    throw bad_data(name_ + ": cannot " + std::string(doing) + ": " +
+                   std::generic_category().message(error_number));
 }
+
+bool output::is_terminal() const noexcept { return isatty(fileno(file_)) != 0; }
 
 void output::write(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail("write the file", errno);
@@ -125,14 +134,6 @@ void prepare_standard_streams() {
         const int opened = open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);
         if (opened != descriptor && opened >= 0) close(opened);
     }
-}
-
-void finish_standard_output() {
-    errno = 0;
-    const bool arrived = std::cout.flush().good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-    if (arrived) return;
-    if (errno == EPIPE) throw closed_pipe();
-    throw bad_data("<stdout>: cannot write the file" + (errno != 0 ? ": " + message(errno) : std::string()));
 }
 
 }  // namespace swivel::command

@@ -22,11 +22,14 @@ public:
 
     void write(std::string_view text);
     void flush();
+    // Nothing may be written afterwards, but to standard output.
     void commit();
 
     [[nodiscard]] bool is_standard_output() const noexcept { return file_ == stdout; }
+    [[nodiscard]] bool is_terminal() const noexcept;
 
 private:
+    void follow_links();
     void open_temporary();
     [[noreturn]] void fail(std::string_view doing, int error_number) const;
 
@@ -39,9 +42,6 @@ private:
 // A write to a pipe that nobody reads is to be an error like any other, and the files that are opened are not
 // to take the place of a standard stream that was closed when the program began.
 void prepare_standard_streams();
-
-// What was printed, also by way of std::cout, has arrived. Throws like `output`.
-void finish_standard_output();
 
 }  // namespace swivel::command
 

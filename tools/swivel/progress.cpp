@@ -26,8 +26,9 @@ std::string bar(std::uint64_t done, std::uint64_t total, std::chrono::seconds el
 
 }  // namespace
 
-progress::progress(std::string label, std::uint64_t total) : label_(std::move(label)), total_(total) {
-    if (isatty(STDERR_FILENO) == 0) return;
+progress::progress(std::string label, std::uint64_t total, bool wanted)
+    : label_(std::move(label)), total_(total) {
+    if (!wanted || isatty(STDERR_FILENO) == 0) return;
     try {
         painter_ = std::thread([this] { paint_until_finished(); });
     } catch (const std::system_error&) {

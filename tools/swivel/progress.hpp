@@ -15,7 +15,8 @@ namespace swivel::command {
 // returns.
 class progress {
 public:
-    progress(std::string label, std::uint64_t total);
+    // `wanted` is false where the results go to the same terminal.
+    progress(std::string label, std::uint64_t total, bool wanted = true);
     progress(const progress&) = delete;
     progress& operator=(const progress&) = delete;
     ~progress();

@@ -59,21 +59,19 @@ public:
     }
 
     void run() {
+        progress bar("reading " + in_.name(), in_.total_bytes(), !out_.is_terminal());
         read_header();
-        progress bar("reading " + in_.name(), in_.total_bytes());
-        try {
-            while (next_row(in_, line_, fields_)) {
-                read_row();
-                if (rows_ < rows_in_block && passed_.size() < passed_bytes_in_block) continue;
+        for (bool more = true; more;) {
+            try {
+                more = read_block();
+            } catch (const bad_data&) {
                 write_block();
-                bar.reached(in_.bytes_read());
+                out_.flush();
+                throw;
             }
-        } catch (const bad_data&) {
             write_block();
-            out_.flush();
-            throw;
+            bar.reached(in_.bytes_read());
         }
-        write_block();
     }
 
 private:
@@ -115,6 +113,15 @@ private:
                 fail(line_.size() + 1, "the column " + clip::quoted(name) + " is missing", expected);
         for (const std::string& name : written) header += name + (name == written.back() ? "\n" : ",");
         out_.write(header);
+    }
+
+    // False at the end of the input.
+    bool read_block() {
+        while (rows_ < rows_in_block && passed_.size() < passed_bytes_in_block) {
+            if (!next_row(in_, line_, fields_)) return false;
+            read_row();
+        }
+        return true;
     }
 
     void read_row() {

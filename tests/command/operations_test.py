@@ -1,0 +1,151 @@
+"""The operations of `eval` against the mathematics written a second time."""
+
+import math
+import random
+
+from support import (HEADER, CommandTest, conjugate, main, multiply, rows, swing_twist, usable_isas)
+
+AXES = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "3,-4,12": (3, -4, 12), "-1e-200,2e-200,0": (-1, 2, 0)}
+
+
+def random_rotations(count, seed=1):
+    generator = random.Random(seed)
+    found = []
+    while len(found) < count:
+        q = [generator.gauss(0, 1) for _ in range(4)]
+        length = math.sqrt(sum(c * c for c in q))
+        found.append(tuple(c / length for c in q))
+    return found
+
+
+def table(header, values):
+    return header + "".join(" ".join(repr(x) for x in row) + "\n" for row in values)
+
+
+class Operations(CommandTest):
+    def assertNear(self, a, b, tolerance=1e-13):
+        self.assertEqual(len(a), len(b))
+        for x, y in zip(a, b):
+            self.assertLessEqual(abs(x - y), tolerance, (a, b))
+
+    def evaluate(self, operation, stdin, *options):
+        return rows(self.succeeds("eval", operation, *options, stdin=stdin).stdout)
+
+    def test_a_half_turn_about_z_is_a_twist_on_every_isa_in_both_precisions(self):
+        for isa in usable_isas():
+            for precision in ("fast", "reproducible"):
+                out = self.succeeds("eval", "decompose", "--axis", "z", "--isa", isa, "--precision", precision,
+                                    stdin=HEADER + "0 0 1 0\n").stdout
+                self.assertEqual(out, b"sx,sy,sz,sw,tx,ty,tz,tw\n0,0,0,1,0,0,1,0\n")
+
+    def test_decompose_is_the_definition(self):
+        rotations = random_rotations(101)
+        stdin = table(HEADER, rotations)
+        for text, axis in AXES.items():
+            for kind, tolerance in (("f64", 1e-13), ("f32", 3e-5)):
+                for layout in ("soa", "aos"):
+                    options = ["--axis", text, "--layout", layout, "--type", kind]
+                    if kind == "f32" and "e-200" in text:
+                        continue
+                    names, out = self.evaluate("decompose", stdin, *options)
+                    self.assertEqual(names, "sx sy sz sw tx ty tz tw".split())
+                    for q, row in zip(rotations, out):
+                        swing, twist = swing_twist(q, axis)
+                        self.assertNear(row, swing + twist, tolerance)
+                    _, out = self.evaluate("decompose", stdin, *options, "--product", "twist-swing")
+                    for q, row in zip(rotations, out):
+                        _, twist = swing_twist(q, axis)
+                        self.assertNear(row, multiply(conjugate(twist), q) + twist, tolerance)
+
+    def test_the_parts_are_those_of_decompose(self):
+        stdin = table(HEADER, random_rotations(50))
+        for options in (["--axis", "y"], ["--axis", "1,2,3", "--product", "twist-swing", "--positive-twist"]):
+            _, full = self.evaluate("decompose", stdin, *options, "--precision", "reproducible")
+            for operation, form, part in (("twist", "twist", slice(4, 8)), ("swing", "swing", slice(0, 4))):
+                for command in (["decompose", "--form", form], [operation]):
+                    _, out = self.evaluate(command[0], stdin, *command[1:], *options, "--precision", "reproducible")
+                    self.assertEqual(out, [row[part] for row in full])
+            angle = self.evaluate("twist_angle", stdin, *options)
+            self.assertEqual(angle, self.evaluate("decompose", stdin, *options, "--form", "angle"))
+            self.assertEqual(angle[0], ["angle"])
+            for (radians,), row in zip(angle[1], full):
+                self.assertAlmostEqual(math.cos(radians / 2), row[7], places=12)
+                if "--positive-twist" in options:
+                    self.assertLessEqual(abs(radians), math.pi)
+
+    def test_the_compact_form_is_the_full_one_without_its_zeros(self):
+        stdin = table(HEADER, random_rotations(50))
+        for k, axis in enumerate("xyz"):
+            for product in ("swing-twist", "twist-swing"):
+                options = ["--axis", axis, "--product", product]
+                _, full = self.evaluate("decompose", stdin, *options)
+                names, compact = self.evaluate("decompose", stdin, *options, "--form", "compact")
+                self.assertEqual(names, ["s1", "s2", "sc", "ts", "tc"])
+                for row, five in zip(full, compact):
+                    self.assertNear(five, [row[(k + 1) % 3], row[(k + 2) % 3], row[3], row[4 + k], row[7]])
+
+    def test_compose_restores_the_rotation(self):
+        rotations = random_rotations(77)
+        stdin = table(HEADER, rotations)
+        for form in ("full", "compact"):
+            for product in ("swing-twist", "twist-swing"):
+                for signs in ([], ["--signs"]):
+                    for axis in "xyz":
+                        options = ["--axis", axis, "--form", form, "--product", product, *signs]
+                        factors = self.succeeds("eval", "decompose", *options, stdin=stdin).stdout
+                        names, out = self.evaluate("compose", factors, *options)
+                        self.assertEqual(names, ["qx", "qy", "qz", "qw"])
+                        for q, row in zip(rotations, out):
+                            self.assertNear(q, row)
+
+    def test_signs_restore_what_a_positive_twist_forgets(self):
+        factors = self.succeeds("eval", "decompose", "--signs", stdin=HEADER + "0 0 0 -1\n0 0 0 1\n").stdout
+        self.assertEqual(factors.splitlines()[0], b"sx,sy,sz,sw,tx,ty,tz,tw,sign")
+        _, values = rows(factors)
+        self.assertEqual([(row[7], row[8]) for row in values], [(1, -1), (1, 1)])
+        _, out = self.evaluate("compose", factors, "--signs")
+        self.assertEqual([row[3] for row in out], [-1, 1])
+        self.fails(1, "<stdin>:1:25: unknown column 'sign'", "eval", "compose", stdin=factors)
+
+    def test_every_row_may_have_its_axis(self):
+        generator = random.Random(2)
+        rotations = random_rotations(40)
+        axes = [tuple(generator.uniform(-9, 9) for _ in range(3)) for _ in rotations]
+        stdin = table("az ay ax " + HEADER, [(a[2], a[1], a[0]) + q for a, q in zip(axes, rotations)])
+        for layout in ("soa", "aos"):
+            _, out = self.evaluate("decompose", stdin, "--axis", "columns", "--layout", layout)
+            for q, a, row in zip(rotations, axes, out):
+                swing, twist = swing_twist(q, a)
+                self.assertNear(row, swing + twist)
+        _, out = self.evaluate("twist", "ax ay az " + HEADER + "0 0 0 0 0 .6 .8\nnan 0 1 0 0 .6 .8\n0 0 5 0 0 .6 .8\n",
+                               "--axis", "columns")
+        self.assertEqual(out[0], [0, 0, 0, 1])
+        self.assertTrue(all(math.isnan(x) for x in out[1]))
+        self.assertNear(out[2], [0, 0, 0.6, 0.8])
+        self.fails(1, "<stdin>:1:12: the column 'ax' is missing, expected a header row with the columns "
+                   "qx qy qz qw ax ay az", "eval", "twist", "--axis", "columns", stdin=HEADER)
+
+    def test_reproducible_is_the_same_text_on_every_isa_and_layout(self):
+        stdin = table(HEADER, random_rotations(333) + [(1, 0, 0, 0), (1, 0, 0, -0.0), (0, 0, 0, 0), (1, 1e-17, 0, 0)])
+        for kind in ("f32", "f64"):
+            for operation in ("decompose", "twist", "swing", "twist_angle"):
+                texts = {self.succeeds("eval", operation, "--axis", "1,-2,3", "--type", kind, "--isa", isa, "--layout",
+                                       layout, "--precision", "reproducible", stdin=stdin).stdout
+                         for isa in usable_isas() for layout in ("soa", "aos")}
+                self.assertEqual(len(texts), 1, operation)
+
+    def test_at_the_pole_the_twist_is_left_out(self):
+        _, out = self.evaluate("decompose", HEADER + "1 0 0 0\n1 0 0 -0.0\n0 0 0 0\n")
+        self.assertEqual([row[4:] for row in out], [[0, 0, 0, 1], [0, 0, 0, -1], [0, 0, 0, 1]])
+        self.assertEqual([row[:4] for row in out], [[1, 0, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 0]])
+        # Half a degree from the pole: kept, but not with a threshold of 1e-4.
+        half = math.radians(179.5) / 2
+        near = table(HEADER, [(math.sin(half), 0, math.cos(half) * 0.6, math.cos(half) * 0.8)])
+        _, out = self.evaluate("decompose", near)
+        self.assertNear(out[0][4:], [0, 0, 0.6, 0.8])
+        _, out = self.evaluate("decompose", near, "--pole-threshold", "1e-4")
+        self.assertEqual(out[0][4:], [0, 0, 0, 1])
+
+
+if __name__ == "__main__":
+    main()
