@@ -10,7 +10,7 @@ source tools/step.sh
 
 compile() {
     cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSWIVEL_BUILD_TESTS=OFF &&
-        cmake --build $build --parallel
+        cmake --build $build --parallel --target swivel_command make_sample_clip
 }
 
 tools/install_packages.sh build || { echo "demo.sh: packages are missing"; exit 1; }
