@@ -27,7 +27,8 @@ T axis_component(const field& f, const std::string& given) {
 
 axis_vector parse_axis_vector(const std::string& given, const std::string& words) {
     std::vector<field> fields;
-    const bool is_list = given.find(',') != given.npos && !split_row(given, fields) && fields.size() == 3;
+    const bool is_list =
+        given.find(',') != std::string::npos && !split_row(given, fields) && fields.size() == 3;
     if (!is_list) throw CLI::ValidationError("--axis", "'" + given + "' is none of " + words);
     axis_vector v;
     v.f64 = {axis_component<double>(fields[0], given), axis_component<double>(fields[1], given),

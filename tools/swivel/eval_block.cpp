@@ -25,7 +25,8 @@ std::vector<std::string> column_names(const std::vector<column_group>& groups) {
 }
 
 template <class T>
-eval_block<T>::eval_block(std::vector<column_group> groups, memory_layout layout, std::size_t capacity) {
+eval_block<T>::eval_block(const std::vector<column_group>& groups, memory_layout layout,
+                          std::size_t capacity) {
     values_.resize(column_names(groups).size() * capacity);
     T* base = values_.data();
     for (const column_group& group : groups) {

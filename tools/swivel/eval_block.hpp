@@ -36,7 +36,7 @@ enum class memory_layout {
 template <class T>
 class eval_block {
 public:
-    eval_block(std::vector<column_group> groups, memory_layout layout, std::size_t capacity);
+    eval_block(const std::vector<column_group>& groups, memory_layout layout, std::size_t capacity);
 
     [[nodiscard]] std::size_t columns() const noexcept { return columns_.size(); }
     [[nodiscard]] T& at(std::size_t row, std::size_t column) noexcept {

@@ -1,6 +1,7 @@
 // swivel: the command line of the library. The work is in the subcommands; here are the exit codes.
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -16,8 +17,10 @@
 namespace swivel::command {
 namespace {
 
-int failed(const std::string& message, int exit_code) {
-    std::cerr << message << "\n";
+int failed(const char* message, int exit_code) noexcept {
+    std::fputs(message, stderr);
+    std::fputs("\n", stderr);
+    if (exit_code == exit_bad_usage) std::fputs("Run with --help for more information.\n", stderr);
     return exit_code;
 }
 
@@ -33,16 +36,7 @@ int exit_code_of(const CLI::App& program, const CLI::ParseError& e) {
     return is_fine ? exit_ok : exit_bad_usage;
 }
 
-int parse_and_run(CLI::App& program, int argc, char** argv) {
-    try {
-        program.parse(argc, argv);
-        return exit_ok;
-    } catch (const CLI::ParseError& e) {
-        return exit_code_of(program, e);
-    }
-}
-
-int run(int argc, char** argv) {
+int parse_and_run(int argc, char** argv) {
     CLI::App program("Factors rotations into swing and twist.", "swivel");
     program.set_version_flag("--version", std::string("swivel ") + swivel::version());
     require_one_subcommand(program);
@@ -55,11 +49,19 @@ int run(int argc, char** argv) {
     add_info(program);
     add_decompose(program);
     add_eval(program);
-
     try {
-        return parse_and_run(program, argc, argv);
+        program.parse(argc, argv);
+        return exit_ok;
+    } catch (const CLI::ParseError& e) {
+        return exit_code_of(program, e);
+    }
+}
+
+int run(int argc, char** argv) noexcept {
+    try {
+        return parse_and_run(argc, argv);
     } catch (const bad_usage& e) {
-        return failed(std::string(e.what()) + "\nRun with --help for more information.", exit_bad_usage);
+        return failed(e.what(), exit_bad_usage);
     } catch (const closed_pipe&) {
         return exit_bad_data;
     } catch (const std::bad_alloc&) {

@@ -45,7 +45,7 @@ std::vector<std::string_view> near_names(std::string_view wanted,
     for (const std::string_view name : names) {
         const std::string candidate = lower_case(name);
         std::size_t distance = edit_distance(pattern, candidate);
-        const bool is_part = pattern.size() > 1 && candidate.find(pattern) != candidate.npos;
+        const bool is_part = pattern.size() > 1 && candidate.find(pattern) != std::string::npos;
         if (is_part) distance = std::min(distance, far - 1);
         if (distance < far && distance < candidate.size()) found.emplace_back(distance, name);
     }

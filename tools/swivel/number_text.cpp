@@ -74,7 +74,7 @@ std::string fixed_decimals(double value, int decimals) {
     char digits[400];
     const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, decimals);
     std::string text(digits, end.ptr);
-    const bool is_zero = text.find_first_not_of("-0.") == text.npos;
+    const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;
     if (is_zero && text.starts_with('-')) text.erase(0, 1);
     return text;
 }

@@ -15,7 +15,7 @@ std::size_t end_of_quotes(std::string_view line, std::size_t at) noexcept {
         if (at + 1 == line.size() || line[at + 1] != '"') return at + 1;
         ++at;
     }
-    return line.npos;
+    return std::string_view::npos;
 }
 
 bool has_separating_comma(std::string_view line) noexcept {
@@ -24,7 +24,7 @@ bool has_separating_comma(std::string_view line) noexcept {
         if (line[i] == ',') return true;
         if (at_start && line[i] == '"') {
             i = end_of_quotes(line, i);
-            if (i == line.npos) return false;
+            if (i == std::string_view::npos) return false;
             at_start = false;
             continue;
         }
@@ -40,20 +40,20 @@ std::optional<field_fault> split_row(std::string_view line, std::vector<field>& 
     fields.clear();
     const bool commas = has_separating_comma(line);
     std::size_t at = line.find_first_not_of(blanks);
-    if (at == line.npos) return std::nullopt;
+    if (at == std::string_view::npos) return std::nullopt;
 
     for (;;) {
         std::size_t end = 0;
         if (at < line.size() && line[at] == '"') {
             end = end_of_quotes(line, at);
-            if (end == line.npos)
+            if (end == std::string_view::npos)
                 return field_fault{at + 1, "a quote that is not closed", "'\"' on the same line"};
             fields.push_back({line.substr(at + 1, end - at - 2), at + 1, true});
             if (end < line.size() && line[end] != ',' && !is_blank(line[end]))
                 return field_fault{end + 1, "text right after a quoted field", "a separator"};
         } else {
             end = line.find_first_of(commas ? std::string_view(",") : blanks, at);
-            if (end == line.npos) end = line.size();
+            if (end == std::string_view::npos) end = line.size();
             std::size_t last = end;
             while (last > at && is_blank(line[last - 1])) --last;
             fields.push_back({line.substr(at, last - at), at + 1, false});
@@ -61,12 +61,12 @@ std::optional<field_fault> split_row(std::string_view line, std::vector<field>& 
 
         at = line.find_first_not_of(blanks, end);
         if (commas) {
-            if (at == line.npos) return std::nullopt;
+            if (at == std::string_view::npos) return std::nullopt;
             if (line[at] != ',') return field_fault{at + 1, "text after a quoted field", "','"};
             at = line.find_first_not_of(blanks, at + 1);
             // What follows the last comma is a field too, and an empty one.
-            if (at == line.npos) at = line.size();
-        } else if (at == line.npos) {
+            if (at == std::string_view::npos) at = line.size();
+        } else if (at == std::string_view::npos) {
             return std::nullopt;
         }
     }
@@ -83,7 +83,7 @@ std::string unquoted(const field& f) {
 
 void append_field(std::string& row, std::string_view text) {
     const bool blank_at_an_end = !text.empty() && (is_blank(text.front()) || is_blank(text.back()));
-    if (!blank_at_an_end && text.find_first_of(",\"\r\n") == text.npos) {
+    if (!blank_at_an_end && text.find_first_of(",\"\r\n") == std::string_view::npos) {
         row += text;
         return;
     }
