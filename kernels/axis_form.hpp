@@ -48,7 +48,7 @@ template <precision_index P, class V>
 struct coordinate_form {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 4;
+    static constexpr int inputs = 4, quaternions_in = 1;
 
     struct element {
         V b, c, a, w;
@@ -157,7 +157,7 @@ struct vector_form {
 template <precision_index P, class V>
 struct uniform_form : vector_form<P, V> {
     using base = vector_form<P, V>;
-    static constexpr int inputs = 4;
+    static constexpr int inputs = 4, quaternions_in = 1;
 
     V ax, ay, az, excess;
 
@@ -182,7 +182,7 @@ struct per_element_form : vector_form<P, V> {
     using base = vector_form<P, V>;
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 7;
+    static constexpr int inputs = 7, quaternions_in = 1;
 
     explicit per_element_form(const T* uniform) noexcept : base{V(uniform[0])} {}
 

@@ -18,8 +18,8 @@ inline V nan_for_infinity(V a) noexcept {
 template <precision_index P, bool Signs, class V>
 struct compose_op {
     using M = arithmetic<P>;
-    static constexpr int inputs = Signs ? 9 : 8;
-    static constexpr int outputs = 4;
+    static constexpr int inputs = Signs ? 9 : 8, quaternions_in = 2;
+    static constexpr int outputs = 4, quaternions_out = 1;
 
     explicit compose_op(const scalar_of<V>*) noexcept {}
 
@@ -51,8 +51,8 @@ struct compose_op {
 template <precision_index P, bool Signs, class V>
 struct compose_compact_op {
     using M = arithmetic<P>;
-    static constexpr int inputs = Signs ? 6 : 5;
-    static constexpr int outputs = 4;
+    static constexpr int inputs = Signs ? 6 : 5, quaternions_in = 0;
+    static constexpr int outputs = 4, quaternions_out = 1;
 
     explicit compose_compact_op(const scalar_of<V>*) noexcept {}
 

@@ -16,7 +16,7 @@ inline half_twist<V> positive(const half_twist<V>& h, V w) noexcept {
 // or -1.
 template <class Form, twist_sign Sign, class V>
 struct decompose_op : Form {
-    static constexpr int outputs = Sign == sign_kept ? 9 : 8;
+    static constexpr int outputs = Sign == sign_kept ? 9 : 8, quaternions_out = 2;
 
     using Form::Form;
 
@@ -32,7 +32,7 @@ struct decompose_op : Form {
 // Streams in: B C A w. Out: s1 s2 sc ts tc, and where signs are kept 1 or -1.
 template <class Form, twist_sign Sign, class V>
 struct decompose_compact_op : Form {
-    static constexpr int outputs = Sign == sign_kept ? 6 : 5;
+    static constexpr int outputs = Sign == sign_kept ? 6 : 5, quaternions_out = 0;
 
     using Form::Form;
 

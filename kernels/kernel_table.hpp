@@ -8,14 +8,26 @@
 
 namespace swivel {
 
-// One call of a kernel: contiguous streams of equal size and a few numbers that are the same for all
-// elements. Which stream is which, and which numbers, is said where the kernel is defined.
+// A view that lies in memory as an array of quaternions, and the place of each component among the four
+// streams that the kernel takes. first is null where the view is not one.
+template <class T>
+struct quaternion_array {
+    T* first;
+    int place[4];
+};
+
+// One call of a kernel: contiguous streams of equal size, and a few numbers that are the same for all
+// elements. Which stream is which, and which numbers, is said where the kernel is defined. The streams of
+// leading quaternions may be in arrays instead.
 template <class T>
 struct batch {
     const T* in[9];
     T* out[9];
     T uniform[5];
     std::size_t size;
+    bool has_arrays = false;
+    quaternion_array<const T> in_array[3];
+    quaternion_array<T> out_array[3];
 };
 
 template <class T>
@@ -36,10 +48,6 @@ struct operations {
     kernel<T> twist_angle[axis_forms][2][precisions];
     kernel<T> compose[2][precisions];  // without, with signs
     kernel<T> compose_compact[2][precisions];
-
-    // Between an array of quaternions and four streams, component by component in memory order.
-    void (*split_quaternions)(const T* array, T* const streams[4], std::size_t size) noexcept;
-    void (*join_quaternions)(const T* const streams[4], T* array, std::size_t size) noexcept;
 };
 
 struct kernel_table {

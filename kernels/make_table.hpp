@@ -5,7 +5,6 @@
 
 #include "compose.hpp"
 #include "decompose.hpp"
-#include "quaternion_array.hpp"
 #include "stream_loop.hpp"
 #include "swing.hpp"
 #include "twist.hpp"
@@ -59,8 +58,6 @@ constexpr operations<scalar_of<V>> make_operations() {
     operations<scalar_of<V>> table{};
     fill<V, fast_index>::all(table);
     fill<V, reproducible_index>::all(table);
-    table.split_quaternions = split_quaternions<V>;
-    table.join_quaternions = join_quaternions<V>;
     return table;
 }
 

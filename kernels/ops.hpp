@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <xsimd/xsimd.hpp>
 
 namespace swivel {
@@ -270,6 +271,17 @@ struct arithmetic {
     }
 };
 
+#if defined(__AVX2__) && !defined(__AVX512F__)
+inline __m256i first_lanes_32(std::size_t count) noexcept {
+    return _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(count)),
+                              _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+}
+inline __m256i first_lanes_64(std::size_t count) noexcept {
+    return _mm256_cmpgt_epi64(_mm256_set1_epi64x(static_cast<long long>(count)),
+                              _mm256_setr_epi64x(0, 1, 2, 3));
+}
+#endif
+
 // The first `count` lanes from memory, 1 in the others: a value that takes the regular way through every
 // kernel.
 template <class V>
@@ -280,6 +292,14 @@ inline V load_first(const scalar_of<V>* from, std::size_t count) noexcept {
         return V(_mm512_mask_loadu_ps(V(T(1)), static_cast<__mmask16>((1U << count) - 1U), from));
     else
         return V(_mm512_mask_loadu_pd(V(T(1)), static_cast<__mmask8>((1U << count) - 1U), from));
+#elif defined(__AVX2__)
+    if constexpr (sizeof(T) == 4) {
+        const __m256i first = first_lanes_32(count);
+        return V(_mm256_blendv_ps(V(T(1)), _mm256_maskload_ps(from, first), _mm256_castsi256_ps(first)));
+    } else {
+        const __m256i first = first_lanes_64(count);
+        return V(_mm256_blendv_pd(V(T(1)), _mm256_maskload_pd(from, first), _mm256_castsi256_pd(first)));
+    }
 #else
     alignas(V) T block[V::size];
     V(T(1)).store_aligned(block);
@@ -296,6 +316,11 @@ inline void store_first(V a, scalar_of<V>* to, std::size_t count) noexcept {
         _mm512_mask_storeu_ps(to, static_cast<__mmask16>((1U << count) - 1U), a);
     else
         _mm512_mask_storeu_pd(to, static_cast<__mmask8>((1U << count) - 1U), a);
+#elif defined(__AVX2__)
+    if constexpr (sizeof(T) == 4)
+        _mm256_maskstore_ps(to, first_lanes_32(count), a);
+    else
+        _mm256_maskstore_pd(to, first_lanes_64(count), a);
 #else
     alignas(V) T block[V::size];
     a.store_aligned(block);
@@ -303,64 +328,66 @@ inline void store_first(V a, scalar_of<V>* to, std::size_t count) noexcept {
 #endif
 }
 
-// V::size quaternions from an array to one register for each component, in memory order, and back.
+// V::size quaternions between an array and one register for each component.
 #if defined(__AVX512F__)
 
-template <class A>
-inline void load_quaternions(const float* from, xsimd::batch<float, A> (&c)[4]) noexcept {
-    const __m512 r0 = _mm512_loadu_ps(from), r1 = _mm512_loadu_ps(from + 16);
-    const __m512 r2 = _mm512_loadu_ps(from + 32), r3 = _mm512_loadu_ps(from + 48);
-    const __m512i first = _mm512_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28, 1, 5, 9, 13, 17, 21, 25, 29);
-    const __m512i second = _mm512_setr_epi32(2, 6, 10, 14, 18, 22, 26, 30, 3, 7, 11, 15, 19, 23, 27, 31);
-    const __m512 low01 = _mm512_permutex2var_ps(r0, first, r1), low23 = _mm512_permutex2var_ps(r2, first, r3);
-    const __m512 high01 = _mm512_permutex2var_ps(r0, second, r1),
-                 high23 = _mm512_permutex2var_ps(r2, second, r3);
-    c[0] = _mm512_shuffle_f32x4(low01, low23, 0x44);
-    c[1] = _mm512_shuffle_f32x4(low01, low23, 0xee);
-    c[2] = _mm512_shuffle_f32x4(high01, high23, 0x44);
-    c[3] = _mm512_shuffle_f32x4(high01, high23, 0xee);
-}
-template <class A>
-inline void store_quaternions(const xsimd::batch<float, A> (&c)[4], float* to) noexcept {
-    const __m512 low01 = _mm512_shuffle_f32x4(c[0], c[1], 0x44),
-                 low23 = _mm512_shuffle_f32x4(c[0], c[1], 0xee);
-    const __m512 high01 = _mm512_shuffle_f32x4(c[2], c[3], 0x44),
-                 high23 = _mm512_shuffle_f32x4(c[2], c[3], 0xee);
-    const __m512i first = _mm512_setr_epi32(0, 8, 16, 24, 1, 9, 17, 25, 2, 10, 18, 26, 3, 11, 19, 27);
-    const __m512i second = _mm512_setr_epi32(4, 12, 20, 28, 5, 13, 21, 29, 6, 14, 22, 30, 7, 15, 23, 31);
-    _mm512_storeu_ps(to, _mm512_permutex2var_ps(low01, first, high01));
-    _mm512_storeu_ps(to + 16, _mm512_permutex2var_ps(low01, second, high01));
-    _mm512_storeu_ps(to + 32, _mm512_permutex2var_ps(low23, first, high23));
-    _mm512_storeu_ps(to + 48, _mm512_permutex2var_ps(low23, second, high23));
-}
-template <class A>
-inline void load_quaternions(const double* from, xsimd::batch<double, A> (&c)[4]) noexcept {
-    const __m512d r0 = _mm512_loadu_pd(from), r1 = _mm512_loadu_pd(from + 8);
-    const __m512d r2 = _mm512_loadu_pd(from + 16), r3 = _mm512_loadu_pd(from + 24);
-    const __m512i first = _mm512_setr_epi64(0, 4, 8, 12, 1, 5, 9, 13);
-    const __m512i second = _mm512_setr_epi64(2, 6, 10, 14, 3, 7, 11, 15);
-    const __m512d low01 = _mm512_permutex2var_pd(r0, first, r1),
-                  low23 = _mm512_permutex2var_pd(r2, first, r3);
-    const __m512d high01 = _mm512_permutex2var_pd(r0, second, r1),
-                  high23 = _mm512_permutex2var_pd(r2, second, r3);
-    c[0] = _mm512_shuffle_f64x2(low01, low23, 0x44);
-    c[1] = _mm512_shuffle_f64x2(low01, low23, 0xee);
-    c[2] = _mm512_shuffle_f64x2(high01, high23, 0x44);
-    c[3] = _mm512_shuffle_f64x2(high01, high23, 0xee);
-}
-template <class A>
-inline void store_quaternions(const xsimd::batch<double, A> (&c)[4], double* to) noexcept {
-    const __m512d low01 = _mm512_shuffle_f64x2(c[0], c[1], 0x44),
-                  low23 = _mm512_shuffle_f64x2(c[0], c[1], 0xee);
-    const __m512d high01 = _mm512_shuffle_f64x2(c[2], c[3], 0x44),
-                  high23 = _mm512_shuffle_f64x2(c[2], c[3], 0xee);
-    const __m512i first = _mm512_setr_epi64(0, 4, 8, 12, 1, 5, 9, 13);
-    const __m512i second = _mm512_setr_epi64(2, 6, 10, 14, 3, 7, 11, 15);
-    _mm512_storeu_pd(to, _mm512_permutex2var_pd(low01, first, high01));
-    _mm512_storeu_pd(to + 8, _mm512_permutex2var_pd(low01, second, high01));
-    _mm512_storeu_pd(to + 16, _mm512_permutex2var_pd(low23, first, high23));
-    _mm512_storeu_pd(to + 24, _mm512_permutex2var_pd(low23, second, high23));
-}
+// The order of the components is in the indices of the shuffles, at no cost.
+template <class V>
+class quaternion_shuffle {
+    using T = scalar_of<V>;
+    using index = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+    static constexpr int half = static_cast<int>(V::size) / 2, quarter = half / 2;
+
+    static __m512 pick(__m512 a, __m512i i, __m512 b) noexcept { return _mm512_permutex2var_ps(a, i, b); }
+    static __m512d pick(__m512d a, __m512i i, __m512d b) noexcept { return _mm512_permutex2var_pd(a, i, b); }
+    template <int Lanes>
+    static __m512 lanes(__m512 a, __m512 b) noexcept {
+        return _mm512_shuffle_f32x4(a, b, Lanes);
+    }
+    template <int Lanes>
+    static __m512d lanes(__m512d a, __m512d b) noexcept {
+        return _mm512_shuffle_f64x2(a, b, Lanes);
+    }
+
+    __m512i first_two_, last_two_, low_, high_;
+
+public:
+    // place[m] is the register of the component that is in place m of a quaternion in memory.
+    void set(const int* place) noexcept {
+        alignas(64) index two[2][V::size], quaternions[2][V::size];
+        for (int m = 0; m < 4; ++m)
+            for (int e = 0; e < half; ++e) two[place[m] / 2][place[m] % 2 * half + e] = 4 * e + m;
+        for (int e = 0; e < quarter; ++e)
+            for (int m = 0; m < 4; ++m) {
+                quaternions[0][4 * e + m] = half * place[m] + e;
+                quaternions[1][4 * e + m] = half * place[m] + quarter + e;
+            }
+        first_two_ = _mm512_load_si512(two[0]);
+        last_two_ = _mm512_load_si512(two[1]);
+        low_ = _mm512_load_si512(quaternions[0]);
+        high_ = _mm512_load_si512(quaternions[1]);
+    }
+
+    void load(const T* from, V* c) const noexcept {
+        const auto r0 = V::load_unaligned(from), r1 = V::load_unaligned(from + V::size);
+        const auto r2 = V::load_unaligned(from + 2 * V::size), r3 = V::load_unaligned(from + 3 * V::size);
+        const auto first01 = pick(r0, first_two_, r1), first23 = pick(r2, first_two_, r3);
+        const auto last01 = pick(r0, last_two_, r1), last23 = pick(r2, last_two_, r3);
+        c[0] = lanes<0x44>(first01, first23);
+        c[1] = lanes<0xee>(first01, first23);
+        c[2] = lanes<0x44>(last01, last23);
+        c[3] = lanes<0xee>(last01, last23);
+    }
+
+    void store(const V* c, T* to) const noexcept {
+        const auto low01 = lanes<0x44>(c[0], c[1]), high01 = lanes<0xee>(c[0], c[1]);
+        const auto low23 = lanes<0x44>(c[2], c[3]), high23 = lanes<0xee>(c[2], c[3]);
+        V(pick(low01, low_, low23)).store_unaligned(to);
+        V(pick(low01, high_, low23)).store_unaligned(to + V::size);
+        V(pick(high01, low_, high23)).store_unaligned(to + 2 * V::size);
+        V(pick(high01, high_, high23)).store_unaligned(to + 3 * V::size);
+    }
+};
 
 #elif defined(__AVX2__)
 
@@ -373,7 +400,7 @@ inline void store_halves(__m256 a, float* low, float* high) noexcept {
     _mm_storeu_ps(high, _mm256_extractf128_ps(a, 1));
 }
 template <class A>
-inline void load_quaternions(const float* from, xsimd::batch<float, A> (&c)[4]) noexcept {
+inline void load_quaternions(const float* from, xsimd::batch<float, A>* c) noexcept {
     const __m256 r0 = halves(from, from + 16), r1 = halves(from + 4, from + 20);
     const __m256 r2 = halves(from + 8, from + 24), r3 = halves(from + 12, from + 28);
     const __m256 low01 = _mm256_unpacklo_ps(r0, r1), low23 = _mm256_unpacklo_ps(r2, r3);
@@ -384,7 +411,7 @@ inline void load_quaternions(const float* from, xsimd::batch<float, A> (&c)[4]) 
     c[3] = _mm256_shuffle_ps(high01, high23, 0xee);
 }
 template <class A>
-inline void store_quaternions(const xsimd::batch<float, A> (&c)[4], float* to) noexcept {
+inline void store_quaternions(const xsimd::batch<float, A>* c, float* to) noexcept {
     const __m256 low01 = _mm256_unpacklo_ps(c[0], c[1]), low23 = _mm256_unpacklo_ps(c[2], c[3]);
     const __m256 high01 = _mm256_unpackhi_ps(c[0], c[1]), high23 = _mm256_unpackhi_ps(c[2], c[3]);
     store_halves(_mm256_shuffle_ps(low01, low23, 0x44), to, to + 16);
@@ -401,7 +428,7 @@ inline void transpose(const __m256d (&r)[4], __m256d (&c)[4]) noexcept {
     c[3] = _mm256_permute2f128_pd(high01, high23, 0x31);
 }
 template <class A>
-inline void load_quaternions(const double* from, xsimd::batch<double, A> (&c)[4]) noexcept {
+inline void load_quaternions(const double* from, xsimd::batch<double, A>* c) noexcept {
     __m256d t[4];
     transpose({_mm256_loadu_pd(from), _mm256_loadu_pd(from + 4), _mm256_loadu_pd(from + 8),
                _mm256_loadu_pd(from + 12)},
@@ -409,7 +436,7 @@ inline void load_quaternions(const double* from, xsimd::batch<double, A> (&c)[4]
     for (int k = 0; k < 4; ++k) c[k] = t[k];
 }
 template <class A>
-inline void store_quaternions(const xsimd::batch<double, A> (&c)[4], double* to) noexcept {
+inline void store_quaternions(const xsimd::batch<double, A>* c, double* to) noexcept {
     __m256d t[4];
     transpose({c[0], c[1], c[2], c[3]}, t);
     for (int k = 0; k < 4; ++k) _mm256_storeu_pd(to + 4 * k, t[k]);
@@ -426,20 +453,20 @@ inline void transpose(const __m128 (&r)[4], __m128 (&c)[4]) noexcept {
     c[3] = _mm_movehl_ps(high23, high01);
 }
 template <class A>
-inline void load_quaternions(const float* from, xsimd::batch<float, A> (&c)[4]) noexcept {
+inline void load_quaternions(const float* from, xsimd::batch<float, A>* c) noexcept {
     __m128 t[4];
     transpose({_mm_loadu_ps(from), _mm_loadu_ps(from + 4), _mm_loadu_ps(from + 8), _mm_loadu_ps(from + 12)},
               t);
     for (int k = 0; k < 4; ++k) c[k] = t[k];
 }
 template <class A>
-inline void store_quaternions(const xsimd::batch<float, A> (&c)[4], float* to) noexcept {
+inline void store_quaternions(const xsimd::batch<float, A>* c, float* to) noexcept {
     __m128 t[4];
     transpose({c[0], c[1], c[2], c[3]}, t);
     for (int k = 0; k < 4; ++k) _mm_storeu_ps(to + 4 * k, t[k]);
 }
 template <class A>
-inline void load_quaternions(const double* from, xsimd::batch<double, A> (&c)[4]) noexcept {
+inline void load_quaternions(const double* from, xsimd::batch<double, A>* c) noexcept {
     for (int k = 0; k < 4; k += 2) {
         const __m128d r0 = _mm_loadu_pd(from + k), r1 = _mm_loadu_pd(from + 4 + k);
         c[k] = _mm_unpacklo_pd(r0, r1);
@@ -447,7 +474,7 @@ inline void load_quaternions(const double* from, xsimd::batch<double, A> (&c)[4]
     }
 }
 template <class A>
-inline void store_quaternions(const xsimd::batch<double, A> (&c)[4], double* to) noexcept {
+inline void store_quaternions(const xsimd::batch<double, A>* c, double* to) noexcept {
     for (int k = 0; k < 4; k += 2) {
         _mm_storeu_pd(to + k, _mm_unpacklo_pd(c[k], c[k + 1]));
         _mm_storeu_pd(to + 4 + k, _mm_unpackhi_pd(c[k], c[k + 1]));
@@ -457,23 +484,73 @@ inline void store_quaternions(const xsimd::batch<double, A> (&c)[4], double* to)
 #elif defined(__aarch64__)
 
 template <class A>
-inline void load_quaternions(const float* from, xsimd::batch<float, A> (&c)[4]) noexcept {
+inline void load_quaternions(const float* from, xsimd::batch<float, A>* c) noexcept {
     const float32x4x4_t r = vld4q_f32(from);
     for (int k = 0; k < 4; ++k) c[k] = r.val[k];
 }
 template <class A>
-inline void store_quaternions(const xsimd::batch<float, A> (&c)[4], float* to) noexcept {
+inline void store_quaternions(const xsimd::batch<float, A>* c, float* to) noexcept {
     vst4q_f32(to, float32x4x4_t{{c[0], c[1], c[2], c[3]}});
 }
 template <class A>
-inline void load_quaternions(const double* from, xsimd::batch<double, A> (&c)[4]) noexcept {
+inline void load_quaternions(const double* from, xsimd::batch<double, A>* c) noexcept {
     const float64x2x4_t r = vld4q_f64(from);
     for (int k = 0; k < 4; ++k) c[k] = r.val[k];
 }
 template <class A>
-inline void store_quaternions(const xsimd::batch<double, A> (&c)[4], double* to) noexcept {
+inline void store_quaternions(const xsimd::batch<double, A>* c, double* to) noexcept {
     vst4q_f64(to, float64x2x4_t{{c[0], c[1], c[2], c[3]}});
 }
+
+#endif
+
+#if !defined(__AVX512F__)
+
+// Components in another order than that of memory pass through the stack; the processor forwards them without
+// waiting for memory.
+template <class V>
+class quaternion_shuffle {
+    using T = scalar_of<V>;
+
+    int place_[4];
+    bool as_it_is_;
+
+public:
+    // place[m] is the register of the component that is in place m of a quaternion in memory.
+    void set(const int* place) noexcept {
+        as_it_is_ = true;
+        for (int m = 0; m < 4; ++m) {
+            place_[m] = place[m];
+            as_it_is_ = as_it_is_ && place[m] == m;
+        }
+    }
+
+    void load(const T* from, V* c) const noexcept {
+        load_quaternions(from, c);
+        if (as_it_is_) return;
+        alignas(V) T slot[4][V::size];
+        c[0].store_aligned(slot[place_[0]]);
+        c[1].store_aligned(slot[place_[1]]);
+        c[2].store_aligned(slot[place_[2]]);
+        c[3].store_aligned(slot[place_[3]]);
+        c[0] = V::load_aligned(slot[0]);
+        c[1] = V::load_aligned(slot[1]);
+        c[2] = V::load_aligned(slot[2]);
+        c[3] = V::load_aligned(slot[3]);
+    }
+
+    void store(const V* c, T* to) const noexcept {
+        if (as_it_is_) return store_quaternions(c, to);
+        alignas(V) T slot[4][V::size];
+        c[0].store_aligned(slot[0]);
+        c[1].store_aligned(slot[1]);
+        c[2].store_aligned(slot[2]);
+        c[3].store_aligned(slot[3]);
+        const V m[4] = {V::load_aligned(slot[place_[0]]), V::load_aligned(slot[place_[1]]),
+                        V::load_aligned(slot[place_[2]]), V::load_aligned(slot[place_[3]])};
+        store_quaternions(m, to);
+    }
+};
 
 #endif
 

@@ -1,6 +1,7 @@
 #ifndef SWIVEL_KERNELS_STREAM_LOOP_HPP
 #define SWIVEL_KERNELS_STREAM_LOOP_HPP
 
+#include <type_traits>
 #include <utility>
 
 #include "kernel_table.hpp"
@@ -9,18 +10,100 @@
 namespace swivel {
 namespace {
 
-// Runs Op over the streams of a batch, a register of each at a time. The elements left over at the end go
-// through the same function, in registers whose other lanes are filled up. Op has
-//   static constexpr int inputs, outputs;
+// Loops of an operation over the elements of a batch, a register of each stream at a time. The elements left
+// over at the end go through the same function, in registers whose other lanes are filled up. Op has
+//   static constexpr int inputs, outputs;                     streams
+//   static constexpr int quaternions_in, quaternions_out;     how many fours of them, from the first on, are
+//   views of
+//                                                             quaternions
 //   explicit Op(const T* uniform)                  takes the numbers that are the same for all elements
 //   void operator()(const V* in, V* out) const     the maths for one register
-template <class V, class Op, std::size_t... I, std::size_t... O>
-inline void stream_loop(const batch<scalar_of<V>>& b, std::index_sequence<I...>,
-                        std::index_sequence<O...>) noexcept {
+// Registers are named by index sequences: gcc leaves a loop over them rolled up, with every register in
+// memory.
+
+// For each view of quaternions that is an array: its shuffle, and room for the elements left over.
+template <class V, class T>
+struct array_of {
+    quaternion_shuffle<V> shuffle;
+    T* at;
+    alignas(V) scalar_of<V> rest[4 * V::size];
+
+    void begin(const quaternion_array<T>& a) noexcept {
+        at = a.first;
+        if (at != nullptr) shuffle.set(a.place);
+    }
+};
+
+template <class V, class Op, std::size_t... I, std::size_t... O, std::size_t... GI, std::size_t... GO>
+void array_loop(const batch<scalar_of<V>>& b, std::index_sequence<I...>, std::index_sequence<O...>,
+                std::index_sequence<GI...>, std::index_sequence<GO...>) noexcept {
     using T = scalar_of<V>;
     const Op op(b.uniform);
-    // Vector stores may alias anything, so pointers left in the batch would be read again for every register;
-    // and gcc leaves a loop over the streams rolled up, with every register in memory.
+    // One more than needed, since there may be none.
+    array_of<V, const T> from[sizeof...(GI) + 1];
+    array_of<V, T> to[sizeof...(GO) + 1];
+    (from[GI].begin(b.in_array[GI]), ...);
+    (to[GO].begin(b.out_array[GO]), ...);
+
+    const auto at_element = [&]<bool Whole>(std::size_t i, std::size_t count,
+                                            std::bool_constant<Whole>) [[gnu::always_inline]] {
+        [[maybe_unused]] const auto load = [&](const T* stream) [[gnu::always_inline]] {
+            return Whole ? V::load_unaligned(stream + i) : load_first<V>(stream + i, count);
+        };
+        [[maybe_unused]] const auto store = [&](V result, T* stream) [[gnu::always_inline]] {
+            if constexpr (Whole)
+                result.store_unaligned(stream + i);
+            else
+                store_first(result, stream + i, count);
+        };
+        [[maybe_unused]] const auto read = [&](auto& array, const T* const* stream,
+                                               V* in) [[gnu::always_inline]] {
+            if (array.at == nullptr) {
+                in[0] = load(stream[0]);
+                in[1] = load(stream[1]);
+                in[2] = load(stream[2]);
+                in[3] = load(stream[3]);
+                return;
+            }
+            for (std::size_t k = 0; k < 4 * V::size && !Whole; ++k)
+                array.rest[k] = k < 4 * count ? array.at[4 * i + k] : T(1);
+            array.shuffle.load(Whole ? array.at + 4 * i : array.rest, in);
+        };
+        [[maybe_unused]] const auto write = [&](auto& array, T* const* stream,
+                                                const V* result) [[gnu::always_inline]] {
+            if (array.at == nullptr) {
+                store(result[0], stream[0]);
+                store(result[1], stream[1]);
+                store(result[2], stream[2]);
+                store(result[3], stream[3]);
+                return;
+            }
+            array.shuffle.store(result, Whole ? array.at + 4 * i : array.rest);
+            for (std::size_t k = 0; k < 4 * count && !Whole; ++k) array.at[4 * i + k] = array.rest[k];
+        };
+
+        V in[Op::inputs], out[Op::outputs];
+        (read(from[GI], b.in + 4 * GI, in + 4 * GI), ...);
+        ((I < 4 * sizeof...(GI) ? void() : void(in[I] = load(b.in[I]))), ...);
+        op(in, out);
+        (write(to[GO], b.out + 4 * GO, out + 4 * GO), ...);
+        ((O < 4 * sizeof...(GO) ? void() : store(out[O], b.out[O])), ...);
+    };
+
+    std::size_t i = 0;
+    for (; i + V::size <= b.size; i += V::size) at_element(i, V::size, std::true_type());
+    if (i < b.size) at_element(i, b.size - i, std::false_type());
+}
+
+template <class V, class Op, std::size_t... I, std::size_t... O>
+inline void stream_loop(const batch<scalar_of<V>>& b, std::index_sequence<I...> inputs,
+                        std::index_sequence<O...> outputs) noexcept {
+    using T = scalar_of<V>;
+    if (b.has_arrays)
+        return array_loop<V, Op>(b, inputs, outputs, std::make_index_sequence<Op::quaternions_in>(),
+                                 std::make_index_sequence<Op::quaternions_out>());
+    const Op op(b.uniform);
+    // Vector stores may alias anything, so pointers left in the batch would be read again for every register.
     const T* const from[] = {b.in[I]...};
     T* const to[] = {b.out[O]...};
     const std::size_t size = b.size;

@@ -9,7 +9,7 @@ namespace {
 // Streams in: those of the form. Out: four, in the order of the form.
 template <class Form, class V>
 struct swing_op : Form {
-    static constexpr int outputs = 4;
+    static constexpr int outputs = 4, quaternions_out = 1;
 
     using Form::Form;
 

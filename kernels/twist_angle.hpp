@@ -10,7 +10,7 @@ namespace {
 // Streams in: those of the form. Out: the angle.
 template <precision_index P, class Form, twist_sign Sign, class V>
 struct twist_angle_op : Form {
-    static constexpr int outputs = 1;
+    static constexpr int outputs = 1, quaternions_out = 0;
 
     using Form::Form;
 

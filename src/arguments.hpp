@@ -10,51 +10,55 @@
 
 namespace swivel {
 
-// The index into x y z w of each component that the kernel takes, and the form of the axis. Exchanging the
-// first two turns a kernel for q = S T into one for q = T R.
+// The form of the axis, and the place that each of x y z w has among the components that the kernel takes.
+// Exchanging the first two turns a kernel for q = S T into one for q = T R.
 struct component_order {
     axis_form_index form;
-    int component[4];
+    std::uint8_t place[4];
 };
 
-inline component_order order_for(axis a, product order) noexcept {
-    const int along = static_cast<int>(a) % 3, b = (along + 1) % 3, c = (along + 2) % 3;
-    if (order == product::swing_twist) return {coordinate_index, {b, c, along, 3}};
-    return {coordinate_index, {c, b, along, 3}};
+// B C A w of the axes x, y and z, for q = S T; and with B and C exchanged.
+inline constexpr component_order coordinate_orders[3][2] = {
+    {{coordinate_index, {2, 0, 1, 3}}, {coordinate_index, {2, 1, 0, 3}}},
+    {{coordinate_index, {1, 2, 0, 3}}, {coordinate_index, {0, 2, 1, 3}}},
+    {{coordinate_index, {0, 1, 2, 3}}, {coordinate_index, {1, 0, 2, 3}}}};
+inline constexpr component_order uniform_orders[2] = {{uniform_index, {0, 1, 2, 3}},
+                                                      {uniform_index, {1, 0, 2, 3}}};
+inline constexpr component_order per_element_orders[2] = {{per_element_index, {0, 1, 2, 3}},
+                                                          {per_element_index, {1, 0, 2, 3}}};
+inline constexpr component_order as_it_is{uniform_index, {0, 1, 2, 3}};
+// s1 and s2 are exchanged with B and C.
+inline constexpr std::uint8_t factor_places[2][5] = {{0, 1, 2, 3, 4}, {1, 0, 2, 3, 4}};
+
+inline const component_order& order_for(axis a, product p) noexcept {
+    return coordinate_orders[static_cast<int>(a) % 3][p != product::swing_twist];
 }
 
 template <class T>
-component_order order_for(const twist_axis<T>& a, product order) noexcept {
-    if (a.kind == twist_axis<T>::form::coordinate) return order_for(a.coordinate, order);
-    const axis_form_index form = a.kind == twist_axis<T>::form::uniform ? uniform_index : per_element_index;
-    if (order == product::swing_twist) return {form, {0, 1, 2, 3}};
-    return {form, {1, 0, 2, 3}};
+const component_order& order_for(const twist_axis<T>& a, product p) noexcept {
+    if (a.kind == twist_axis<T>::form::coordinate) return order_for(a.coordinate, p);
+    const bool exchanged = p != product::swing_twist;
+    return a.kind == twist_axis<T>::form::uniform ? uniform_orders[exchanged] : per_element_orders[exchanged];
 }
 
 template <class T>
-stream_group<T> group_of(const quat_view<T>& v, const component_order& order) noexcept {
-    T* const component[4] = {v.x, v.y, v.z, v.w};
-    const int* at = order.component;
-    return {{component[at[0]], component[at[1]], component[at[2]], component[at[3]]}, 4, v.size, v.stride};
+stream_group<T, 4> group_of(const quat_view<T>& v, const component_order& order) noexcept {
+    return {{v.x, v.y, v.z, v.w}, v.size, v.stride, order.place};
 }
 
 template <class T>
-stream_group<T> group_of(const vec3_view<T>& v, const component_order& order) noexcept {
-    T* const component[3] = {v.x, v.y, v.z};
-    const int* at = order.component;
-    return {{component[at[0]], component[at[1]], component[at[2]]}, 3, v.size, v.stride};
+stream_group<T, 3> group_of(const vec3_view<T>& v, const component_order& order) noexcept {
+    return {{v.x, v.y, v.z}, v.size, v.stride, order.place};
 }
 
 template <class T>
-stream_group<T> group_of(const scalar_view<T>& v) noexcept {
-    return {{v.data}, 1, v.size, v.stride};
+stream_group<T, 1> group_of(const scalar_view<T>& v) noexcept {
+    return {{v.data}, v.size, v.stride, as_it_is.place};
 }
 
-// The components of the swing follow the kernel's order, so that an exchange reaches them too.
 template <class T>
-stream_group<T> group_of(const factor_view<T>& v, product order) noexcept {
-    if (order == product::swing_twist) return {{v.s1, v.s2, v.sc, v.ts, v.tc}, 5, v.size, 1};
-    return {{v.s2, v.s1, v.sc, v.ts, v.tc}, 5, v.size, 1};
+stream_group<T, 5> group_of(const factor_view<T>& v, product p) noexcept {
+    return {{v.s1, v.s2, v.sc, v.ts, v.tc}, v.size, 1, factor_places[p != product::swing_twist]};
 }
 
 inline status check(const options& o) noexcept {
@@ -76,71 +80,42 @@ T threshold_of(const options& o) noexcept {
     return static_cast<T>(o.pole_threshold);
 }
 
-// Streams and numbers of an operation that projects q on an axis.
+// Checks the numbers of an operation that projects on an axis, and puts them where its kernel takes them.
 template <class T>
-struct projection {
-    component_order order;
-    streams<T> s;
-    batch<T> b;
-
-    projection(const quat_view<const T>& q, const twist_axis<T>& a, const options& o) noexcept
-        : order(order_for(a, o.order)) {
-        s.in[s.inputs++] = group_of(q, order);
-        if (a.kind == twist_axis<T>::form::per_element) s.in[s.inputs++] = group_of(a.per_element, order);
-    }
-
-    void write(const quat_view<T>& v) noexcept { s.out[s.outputs++] = group_of(v, order); }
-    void write(const scalar_view<T>& v) noexcept { s.out[s.outputs++] = group_of(v); }
-    void write(const factor_view<T>& v, product p) noexcept { s.out[s.outputs++] = group_of(v, p); }
-
-    // All checks; `ok` with a size of 0 means that there is nothing to do.
-    status check_all(const twist_axis<T>& a, const options& o) noexcept {
-        if (const status bad = check(s); bad != status::ok || s.size == 0) return bad;
-        if (const status bad = swivel::check(o); bad != status::ok) return bad;
-        b.uniform[0] = threshold_of<T>(o);
-        if (a.kind == twist_axis<T>::form::coordinate) return swivel::check(a.coordinate);
-        if (a.kind == twist_axis<T>::form::uniform) {
-            unit_axis<T> unit;
-            if (!normalize(a.uniform, unit)) return status::bad_argument;
-            const T component[3] = {unit.x, unit.y, unit.z};
-            for (int k = 0; k < 3; ++k) b.uniform[1 + k] = component[order.component[k]];
-            b.uniform[4] = unit.excess;
-        }
-        return status::ok;
-    }
-};
-
-// Streams of an operation that multiplies factors. The kernels give the signs to the factor on the right; to
-// the product it makes no difference which one has them.
-template <class T>
-streams<T> composition(const quat_view<const T>& swing, const quat_view<const T>& twist,
-                       const scalar_view<const T>* signs, const quat_view<T>& q, const options& o) noexcept {
-    constexpr component_order xyzw{uniform_index, {0, 1, 2, 3}};
-    const bool swing_left = o.order == product::swing_twist;
-    streams<T> s;
-    s.in[s.inputs++] = group_of(swing_left ? swing : twist, xyzw);
-    s.in[s.inputs++] = group_of(swing_left ? twist : swing, xyzw);
-    if (signs != nullptr) s.in[s.inputs++] = group_of(*signs);
-    s.out[s.outputs++] = group_of(q, xyzw);
-    return s;
-}
-
-template <class T>
-streams<T> composition(const factor_view<const T>& factors, axis a, const scalar_view<const T>* signs,
-                       const quat_view<T>& q, const options& o) noexcept {
-    streams<T> s;
-    s.in[s.inputs++] = group_of(factors, o.order);
-    if (signs != nullptr) s.in[s.inputs++] = group_of(*signs);
-    s.out[s.outputs++] = group_of(q, order_for(a, o.order));
-    return s;
-}
-
-// All checks; `ok` with a size of 0 means that there is nothing to do.
-template <class T>
-status check(streams<T>& s, const options& o, axis a = axis::x) noexcept {
-    if (const status bad = check(s); bad != status::ok || s.size == 0) return bad;
+status set_numbers(batch<T>& b, const component_order& order, const twist_axis<T>& a,
+                   const options& o) noexcept {
     if (const status bad = check(o); bad != status::ok) return bad;
-    return check(a);
+    b.uniform[0] = threshold_of<T>(o);
+    if (a.kind == twist_axis<T>::form::coordinate) return check(a.coordinate);
+    if (a.kind == twist_axis<T>::form::uniform) {
+        unit_axis<T> unit;
+        if (!normalize(a.uniform, unit)) return status::bad_argument;
+        b.uniform[1 + order.place[0]] = unit.x;
+        b.uniform[1 + order.place[1]] = unit.y;
+        b.uniform[1 + order.place[2]] = unit.z;
+        b.uniform[4] = unit.excess;
+    }
+    return status::ok;
+}
+
+// The streams that an operation reads that projects q on an axis. Calls body(tuple of groups).
+template <class T, class Body>
+[[gnu::always_inline]] inline status with_projected(const quat_view<const T>& q, const twist_axis<T>& a,
+                                                    const component_order& order, const Body& body) noexcept {
+    if (order.form == per_element_index)
+        return body(std::tuple(group_of(q, order), group_of(a.per_element, order)));
+    return body(std::tuple(group_of(q, order)));
+}
+
+// Runs an operation that projects q on an axis and writes the groups.
+template <class T, class... Out>
+[[gnu::always_inline]] inline status project(kernel<T> run_kernel, const quat_view<const T>& q,
+                                             const twist_axis<T>& a, const component_order& order,
+                                             const options& o, const Out&... out) noexcept {
+    return with_projected(q, a, order, [&](const auto& reads) [[gnu::always_inline]] {
+        return run(
+            run_kernel, [&](batch<T>& b) { return set_numbers(b, order, a, o); }, reads, std::tuple(out...));
+    });
 }
 
 }  // namespace swivel

@@ -1,150 +1,132 @@
 #ifndef SWIVEL_SRC_CHECKS_HPP
 #define SWIVEL_SRC_CHECKS_HPP
 
-// What is checked before the first write, at a cost that does not depend on the size.
+// What is checked of the streams before the first write, at a cost that does not depend on the size.
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 
 #include "swivel/types.hpp"
 
 namespace swivel {
 
-// The streams of one view, in the order in which the kernel takes them.
-template <class T>
+// The streams of one view, and the place of each among those that the kernel takes.
+template <class T, int N>
 struct stream_group {
+    T* stream[N];
+    std::size_t size;
+    std::ptrdiff_t stride;
+    const std::uint8_t* place;
+};
+
+// The streams in the order of the kernel, and their number as a value.
+template <class T>
+struct any_group {
     T* stream[5];
     int count;
     std::size_t size;
     std::ptrdiff_t stride;
+
+    any_group() = default;
+
+    template <int N>
+    explicit any_group(const stream_group<T, N>& g) noexcept : count(N), size(g.size), stride(g.stride) {
+        for (int k = 0; k < N; ++k) stream[g.place[k]] = g.stream[k];
+    }
 };
 
+// All streams of a call.
 template <class T>
-struct streams {
+struct call_streams {
     static constexpr int most = 3;
-    stream_group<const T> in[most];
-    stream_group<T> out[most];
+    any_group<const T> in[most];
+    any_group<T> out[most];
     int inputs = 0, outputs = 0;
     std::size_t size = 0;
-    bool contiguous = true;
+
+    template <class... In, class... Out>
+    call_streams(const std::tuple<In...>& reads, const std::tuple<Out...>& writes) noexcept {
+        std::apply([&](const auto&... g) { ((in[inputs++] = any_group<const T>(g)), ...); }, reads);
+        std::apply([&](const auto&... g) { ((out[outputs++] = any_group<T>(g)), ...); }, writes);
+    }
 };
 
-// The bytes from the first to the last one of a group.
+// Leaves the size in s.size; 0 with `ok` means that there is nothing to do. The stride of a single element
+// becomes 1.
+template <class T>
+status check(call_streams<T>& s) noexcept;
+
+// The bytes from the first to the last one of some streams.
 struct extent {
     std::uintptr_t begin, end;
 
     bool overlaps(const extent& o) const noexcept { return begin < o.end && o.begin < end; }
 };
 
+// Tells the usual call from one that must be looked at more closely, right or wrong: contiguous streams,
+// those of a view one after the other in memory, each view apart from the others or, in place, the same as
+// one that is read. That takes a few dozen comparisons, since the number of streams is a constant, so that a
+// call for a few elements costs little.
 template <class T>
-extent extent_of(T* stream, std::size_t size, std::ptrdiff_t stride) noexcept {
-    const auto first = reinterpret_cast<std::uintptr_t>(stream);
-    const auto reach =
-        static_cast<std::uintptr_t>(static_cast<std::ptrdiff_t>(size - 1) * stride) * sizeof(T);
-    return stride < 0 ? extent{first + reach, first + sizeof(T)} : extent{first, first + reach + sizeof(T)};
-}
+class usual_call {
+public:
+    explicit usual_call(std::size_t size) noexcept
+        : size_(size),
+          bytes_(static_cast<std::ptrdiff_t>(size * sizeof(T))),
+          // Neither 0 nor too many.
+          usual_(size - 1 < static_cast<std::size_t>(PTRDIFF_MAX) / sizeof(T)) {}
 
-template <class T>
-extent extent_of(const stream_group<T>& g) noexcept {
-    extent e = extent_of(g.stream[0], g.size, g.stride);
-    for (int k = 1; k < g.count; ++k) {
-        const extent o = extent_of(g.stream[k], g.size, g.stride);
-        if (o.begin < e.begin) e.begin = o.begin;
-        if (o.end > e.end) e.end = o.end;
+    template <int N>
+    [[gnu::always_inline]] void read(const stream_group<const T, N>& g) noexcept {
+        read_[reads_++] = look_at(g);
     }
-    return e;
-}
 
-// Whether any element of one stream shares a byte with any element of the other. Exact where the strides are
-// equal in magnitude, as they are within an array of structures; else the extents decide.
-template <class T>
-bool elements_overlap(const T* a, std::ptrdiff_t a_stride, const T* b, std::ptrdiff_t b_stride,
-                      std::size_t size) noexcept {
-    if (!extent_of(a, size, a_stride).overlaps(extent_of(b, size, b_stride))) return false;
-    if (a_stride != b_stride && a_stride != -b_stride) return true;
-    const auto step = static_cast<std::uintptr_t>(a_stride < 0 ? -a_stride : a_stride) * sizeof(T);
-    if (step == 0) return true;
-    const auto pa = reinterpret_cast<std::uintptr_t>(a), pb = reinterpret_cast<std::uintptr_t>(b);
-    const std::uintptr_t apart = (pa < pb ? pb - pa : pa - pb) % step;
-    return apart < sizeof(T) || apart > step - sizeof(T);
-}
+    template <int N, class... In>
+    [[gnu::always_inline]] void write(const stream_group<T, N>& g, const std::tuple<In...>& reads) noexcept {
+        const extent e = look_at(g);
+        for (int k = 0; k < writes_; ++k) usual_ = usual_ && !e.overlaps(written_[k]);
+        written_[writes_++] = e;
+        int k = 0;
+        std::apply(
+            [&](const auto&... in) { ((usual_ = usual_ && (!e.overlaps(read_[k++]) || same(g, in))), ...); },
+            reads);
+    }
 
-template <class T>
-bool within_group_overlap(const stream_group<T>& g) noexcept {
-    for (int i = 1; i < g.count; ++i)
-        for (int k = 0; k < i; ++k)
-            if (elements_overlap<T>(g.stream[i], g.stride, g.stream[k], g.stride, g.size)) return true;
-    return false;
-}
+    explicit operator bool() const noexcept { return usual_; }
 
-template <class T>
-bool overlap(const stream_group<T>& a, const stream_group<T>& b) noexcept {
-    for (int i = 0; i < a.count; ++i)
-        for (int k = 0; k < b.count; ++k)
-            if (elements_overlap<T>(a.stream[i], a.stride, b.stream[k], b.stride, a.size)) return true;
-    return false;
-}
+private:
+    template <class U>
+    static std::uintptr_t address(U* p) noexcept {
+        return reinterpret_cast<std::uintptr_t>(p);
+    }
 
-// In place, stream for stream, is allowed; it is told from a partial overlap by pointer and stride.
-template <class T>
-bool partial_overlap(const stream_group<T>& out, const stream_group<const T>& in) noexcept {
-    for (int i = 0; i < out.count; ++i)
-        for (int k = 0; k < in.count; ++k) {
-            if (out.stream[i] == in.stream[k] && out.stride == in.stride) continue;
-            if (elements_overlap<T>(out.stream[i], out.stride, in.stream[k], in.stride, out.size))
-                return true;
+    template <class U, int N>
+    [[gnu::always_inline]] extent look_at(const stream_group<U, N>& g) noexcept {
+        usual_ = usual_ && g.size == size_ && (g.stride == 1 || size_ == 1) && g.stream[0] != nullptr;
+        for (int k = 1; k < N; ++k)
+            usual_ = usual_ &&
+                     static_cast<std::ptrdiff_t>(address(g.stream[k]) - address(g.stream[k - 1])) >= bytes_;
+        return {address(g.stream[0]), address(g.stream[N - 1]) + static_cast<std::uintptr_t>(bytes_)};
+    }
+
+    template <int N, int M>
+    static bool same(const stream_group<T, N>& out, const stream_group<const T, M>& in) noexcept {
+        if constexpr (N != M) {
+            return false;
+        } else {
+            bool all = true;
+            for (int k = 0; k < N; ++k) all = all && out.stream[k] == in.stream[k];
+            return all;
         }
-    return false;
-}
+    }
 
-template <class T>
-status check_group(stream_group<T>& g, std::size_t size, bool written) noexcept {
-    for (int k = 0; k < g.count; ++k)
-        if (g.stream[k] == nullptr) return status::null_stream;
-    if (size == 1) g.stride = 1;
-    if (written && g.stride == 0) return status::bad_argument;
-    if (g.stride != 1) {
-        constexpr std::size_t most = static_cast<std::size_t>(PTRDIFF_MAX) / sizeof(T);
-        const std::size_t step = g.stride < 0 ? std::size_t{0} - static_cast<std::size_t>(g.stride)
-                                              : static_cast<std::size_t>(g.stride);
-        if (step > most || (step != 0 && size - 1 > (most - 1) / step)) return status::bad_argument;
-    } else if (size > static_cast<std::size_t>(PTRDIFF_MAX) / sizeof(T)) {
-        return status::bad_argument;
-    }
-    return status::ok;
-}
-
-// Leaves the size in s.size; 0 with `ok` means that there is nothing to do.
-template <class T>
-status check(streams<T>& s) noexcept {
-    s.size = s.in[0].size;
-    for (int i = 1; i < s.inputs; ++i)
-        if (s.in[i].size != s.size) return status::size_mismatch;
-    for (int i = 0; i < s.outputs; ++i)
-        if (s.out[i].size != s.size) return status::size_mismatch;
-    if (s.size == 0) return status::ok;
-
-    extent in[streams<T>::most], out[streams<T>::most];
-    for (int i = 0; i < s.inputs; ++i) {
-        if (const status bad = check_group(s.in[i], s.size, false); bad != status::ok) return bad;
-        s.contiguous = s.contiguous && s.in[i].stride == 1;
-        in[i] = extent_of(s.in[i]);
-    }
-    for (int i = 0; i < s.outputs; ++i) {
-        if (const status bad = check_group(s.out[i], s.size, true); bad != status::ok) return bad;
-        s.contiguous = s.contiguous && s.out[i].stride == 1;
-        out[i] = extent_of(s.out[i]);
-    }
-    for (int i = 0; i < s.outputs; ++i) {
-        if (within_group_overlap(s.out[i])) return status::partial_overlap;
-        for (int k = 0; k < i; ++k)
-            if (out[i].overlaps(out[k]) && overlap(s.out[i], s.out[k])) return status::partial_overlap;
-        for (int k = 0; k < s.inputs; ++k)
-            if (out[i].overlaps(in[k]) && partial_overlap(s.out[i], s.in[k])) return status::partial_overlap;
-    }
-    return status::ok;
-}
+    std::size_t size_;
+    std::ptrdiff_t bytes_;
+    bool usual_;
+    int reads_ = 0, writes_ = 0;
+    extent read_[call_streams<T>::most], written_[call_streams<T>::most];
+};
 
 }  // namespace swivel
 

@@ -6,60 +6,64 @@ namespace swivel {
 
 namespace {
 
-template <class T>
-status full(quat_view<const T> swing, quat_view<const T> twist, const scalar_view<const T>* signs,
-            quat_view<T> q, const options& o) noexcept {
-    streams<T> s = composition(swing, twist, signs, q, o);
-    if (const status bad = check(s, o); bad != status::ok || s.size == 0) return bad;
-    const operations<T>& table = active_operations<T>();
-    batch<T> b;
-    run(table.compose[signs != nullptr][index_of(o.accuracy)], table, s, b);
-    return status::ok;
+// The kernels give the signs to the factor on the right; to the product it makes no difference which one has
+// them.
+template <class T, class... Signs>
+status full(const quat_view<const T>& swing, const quat_view<const T>& twist, const quat_view<T>& q,
+            const options& o, const Signs&... signs) noexcept {
+    const bool swing_left = o.order == product::swing_twist;
+    return run(
+        active_operations<T>().compose[sizeof...(signs)][index_of(o.accuracy)],
+        [&](batch<T>&) { return check(o); },
+        std::tuple(group_of(swing_left ? swing : twist, as_it_is),
+                   group_of(swing_left ? twist : swing, as_it_is), group_of(signs)...),
+        std::tuple(group_of(q, as_it_is)));
 }
 
-template <class T>
-status compact(factor_view<const T> factors, axis a, const scalar_view<const T>* signs, quat_view<T> q,
-               const options& o) noexcept {
-    streams<T> s = composition(factors, a, signs, q, o);
-    if (const status bad = check(s, o, a); bad != status::ok || s.size == 0) return bad;
-    const operations<T>& table = active_operations<T>();
-    batch<T> b;
-    run(table.compose_compact[signs != nullptr][index_of(o.accuracy)], table, s, b);
-    return status::ok;
+template <class T, class... Signs>
+status compact(const factor_view<const T>& factors, axis a, const quat_view<T>& q, const options& o,
+               const Signs&... signs) noexcept {
+    const auto check_numbers = [&](batch<T>&) {
+        const status bad = check(o);
+        return bad != status::ok ? bad : check(a);
+    };
+    return run(active_operations<T>().compose_compact[sizeof...(signs)][index_of(o.accuracy)], check_numbers,
+               std::tuple(group_of(factors, o.order), group_of(signs)...),
+               std::tuple(group_of(q, order_for(a, o.order))));
 }
 
 }  // namespace
 
 status compose(quat_view<const float> swing, quat_view<const float> twist, quat_view<float> q,
                options o) noexcept {
-    return full<float>(swing, twist, nullptr, q, o);
+    return full<float>(swing, twist, q, o);
 }
 status compose(quat_view<const double> swing, quat_view<const double> twist, quat_view<double> q,
                options o) noexcept {
-    return full<double>(swing, twist, nullptr, q, o);
+    return full<double>(swing, twist, q, o);
 }
 status compose(quat_view<const float> swing, quat_view<const float> twist, scalar_view<const float> signs,
                quat_view<float> q, options o) noexcept {
-    return full<float>(swing, twist, &signs, q, o);
+    return full<float>(swing, twist, q, o, signs);
 }
 status compose(quat_view<const double> swing, quat_view<const double> twist, scalar_view<const double> signs,
                quat_view<double> q, options o) noexcept {
-    return full<double>(swing, twist, &signs, q, o);
+    return full<double>(swing, twist, q, o, signs);
 }
 
 status compose(factor_view<const float> factors, axis a, quat_view<float> q, options o) noexcept {
-    return compact<float>(factors, a, nullptr, q, o);
+    return compact<float>(factors, a, q, o);
 }
 status compose(factor_view<const double> factors, axis a, quat_view<double> q, options o) noexcept {
-    return compact<double>(factors, a, nullptr, q, o);
+    return compact<double>(factors, a, q, o);
 }
 status compose(factor_view<const float> factors, axis a, scalar_view<const float> signs, quat_view<float> q,
                options o) noexcept {
-    return compact<float>(factors, a, &signs, q, o);
+    return compact<float>(factors, a, q, o, signs);
 }
 status compose(factor_view<const double> factors, axis a, scalar_view<const double> signs,
                quat_view<double> q, options o) noexcept {
-    return compact<double>(factors, a, &signs, q, o);
+    return compact<double>(factors, a, q, o, signs);
 }
 
 }  // namespace swivel

@@ -8,65 +8,57 @@ namespace {
 
 twist_sign sign_of(const options& o) noexcept { return o.positive_twist ? sign_positive : sign_left; }
 
-template <class T>
-status full(quat_view<const T> q, const twist_axis<T>& a, quat_view<T> swing, quat_view<T> twist,
-            const scalar_view<T>* signs, const options& o) noexcept {
-    projection<T> p(q, a, o);
-    p.write(swing);
-    p.write(twist);
-    if (signs != nullptr) p.write(*signs);
-    if (const status bad = p.check_all(a, o); bad != status::ok || p.s.size == 0) return bad;
-    const operations<T>& table = active_operations<T>();
-    const twist_sign sign = signs != nullptr ? sign_kept : sign_of(o);
-    run(table.decompose[p.order.form][sign][index_of(o.accuracy)], table, p.s, p.b);
-    return status::ok;
+template <class T, class... Signs>
+status full(const quat_view<const T>& q, const twist_axis<T>& a, const quat_view<T>& swing,
+            const quat_view<T>& twist, const options& o, twist_sign sign, const Signs&... signs) noexcept {
+    const component_order& order = order_for(a, o.order);
+    return project(active_operations<T>().decompose[order.form][sign][index_of(o.accuracy)], q, a, order, o,
+                   group_of(swing, order), group_of(twist, order), group_of(signs)...);
 }
 
-template <class T>
-status compact(quat_view<const T> q, axis a, factor_view<T> out, const scalar_view<T>* signs,
-               const options& o) noexcept {
-    projection<T> p(q, a, o);
-    p.write(out, o.order);
-    if (signs != nullptr) p.write(*signs);
-    if (const status bad = p.check_all(a, o); bad != status::ok || p.s.size == 0) return bad;
-    const operations<T>& table = active_operations<T>();
-    const twist_sign sign = signs != nullptr ? sign_kept : sign_of(o);
-    run(table.decompose_compact[sign][index_of(o.accuracy)], table, p.s, p.b);
-    return status::ok;
+template <class T, class... Signs>
+status compact(const quat_view<const T>& q, axis a, const factor_view<T>& out, const options& o,
+               twist_sign sign, const Signs&... signs) noexcept {
+    const component_order& order = order_for(a, o.order);
+    const twist_axis<T> along(a);
+    return run(
+        active_operations<T>().decompose_compact[sign][index_of(o.accuracy)],
+        [&](batch<T>& b) { return set_numbers(b, order, along, o); }, std::tuple(group_of(q, order)),
+        std::tuple(group_of(out, o.order), group_of(signs)...));
 }
 
 }  // namespace
 
 status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
                  quat_view<float> twist, options o) noexcept {
-    return full<float>(q, a, swing, twist, nullptr, o);
+    return full<float>(q, a, swing, twist, o, sign_of(o));
 }
 status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
                  quat_view<double> twist, options o) noexcept {
-    return full<double>(q, a, swing, twist, nullptr, o);
+    return full<double>(q, a, swing, twist, o, sign_of(o));
 }
 status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
                  quat_view<float> twist, scalar_view<float> signs, options o) noexcept {
-    return full<float>(q, a, swing, twist, &signs, o);
+    return full<float>(q, a, swing, twist, o, sign_kept, signs);
 }
 status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
                  quat_view<double> twist, scalar_view<double> signs, options o) noexcept {
-    return full<double>(q, a, swing, twist, &signs, o);
+    return full<double>(q, a, swing, twist, o, sign_kept, signs);
 }
 
 status decompose(quat_view<const float> q, axis a, factor_view<float> out, options o) noexcept {
-    return compact<float>(q, a, out, nullptr, o);
+    return compact<float>(q, a, out, o, sign_of(o));
 }
 status decompose(quat_view<const double> q, axis a, factor_view<double> out, options o) noexcept {
-    return compact<double>(q, a, out, nullptr, o);
+    return compact<double>(q, a, out, o, sign_of(o));
 }
 status decompose(quat_view<const float> q, axis a, factor_view<float> out, scalar_view<float> signs,
                  options o) noexcept {
-    return compact<float>(q, a, out, &signs, o);
+    return compact<float>(q, a, out, o, sign_kept, signs);
 }
 status decompose(quat_view<const double> q, axis a, factor_view<double> out, scalar_view<double> signs,
                  options o) noexcept {
-    return compact<double>(q, a, out, &signs, o);
+    return compact<double>(q, a, out, o, sign_kept, signs);
 }
 
 }  // namespace swivel

@@ -233,23 +233,39 @@ factors<T> read(const factor_view<const T>& v, std::size_t i) {
     return {v.s1[i], v.s2[i], v.sc[i], v.ts[i], v.tc[i]};
 }
 
+// The checks of the operation; `ok` with a size of 0 means that there is nothing to do.
+template <class T, class Numbers, class... In, class... Out>
+status check_call(const Numbers& numbers, const std::tuple<In...>& reads, const std::tuple<Out...>& writes,
+                  std::size_t& size) {
+    call_streams<T> s(reads, writes);
+    if (const status bad = check(s); bad != status::ok || s.size == 0) return bad;
+    if (const status bad = numbers(); bad != status::ok) return bad;
+    size = s.size;
+    return status::ok;
+}
+
 // Calls body(i, q, axis) for every element, the axis being an `axis` or a unit vector, in the order of the
 // elements.
-template <class T, class Body>
-status for_each(projection<T>& p, const quat_view<const T>& q, const twist_axis<T>& a, const options& o,
-                Body body) {
-    if (const status bad = p.check_all(a, o); bad != status::ok) return bad;
-    for (std::size_t i = 0; i < p.s.size; ++i) {
+template <class T, class Body, class... Out>
+status for_each(const quat_view<const T>& q, const twist_axis<T>& a, const options& o, Body body,
+                const Out&... out) {
+    const component_order& order = order_for(a, o.order);
+    batch<T> b;
+    std::size_t size = 0;
+    const status bad = with_projected(q, a, order, [&](const auto& reads) {
+        return check_call<T>([&] { return set_numbers(b, order, a, o); }, reads, std::tuple(out...), size);
+    });
+    if (bad != status::ok) return bad;
+    unit_axis<T> unit{};
+    if (a.kind == twist_axis<T>::form::uniform) normalize(a.uniform, unit);
+    for (std::size_t i = 0; i < size; ++i) {
         switch (a.kind) {
             case twist_axis<T>::form::coordinate:
                 body(i, read(q, i), a.coordinate);
                 break;
-            case twist_axis<T>::form::uniform: {
-                unit_axis<T> unit{};
-                normalize(a.uniform, unit);
+            case twist_axis<T>::form::uniform:
                 body(i, read(q, i), unit);
                 break;
-            }
             case twist_axis<T>::form::per_element:
                 body(i, read(q, i), normalized(read(a.per_element, i)));
                 break;
@@ -258,100 +274,106 @@ status for_each(projection<T>& p, const quat_view<const T>& q, const twist_axis<
     return status::ok;
 }
 
-template <class T>
+template <class T, class... Signs>
 status decompose_all(const quat_view<const T>& q, const twist_axis<T>& a, const quat_view<T>& swing,
-                     const quat_view<T>& twist, const scalar_view<T>* signs, const options& o) {
-    projection<T> p(q, a, o);
-    p.write(swing);
-    p.write(twist);
-    if (signs != nullptr) p.write(*signs);
-    return for_each(p, q, a, o, [&](std::size_t i, const quat<T>& in, const auto& about_axis) {
+                     const quat_view<T>& twist, const options& o, const Signs&... signs) {
+    const auto body = [&](std::size_t i, const quat<T>& in, const auto& about_axis) {
         half_twist<T> h = half_twist_about(about_axis, in, threshold_of<T>(o));
         write(swing, i, swing_about(about_axis, in, h, o.order));
-        if (o.positive_twist || signs != nullptr) h = positive(h, in.w);
+        if (o.positive_twist || sizeof...(signs) != 0) h = positive(h, in.w);
         write(twist, i, twist_about(about_axis, in, h));
-        if (signs != nullptr) *element(signs->data, i, signs->stride) = std::copysign(T(1), in.w);
-    });
+        ((*element(signs.data, i, signs.stride) = std::copysign(T(1), in.w)), ...);
+    };
+    return for_each(q, a, o, body, group_of(swing, as_it_is), group_of(twist, as_it_is), group_of(signs)...);
 }
 
-template <class T>
-status decompose_all(const quat_view<const T>& q, axis a, const factor_view<T>& out,
-                     const scalar_view<T>* signs, const options& o) {
-    projection<T> p(q, a, o);
-    p.write(out, o.order);
-    if (signs != nullptr) p.write(*signs);
-    return for_each(p, q, twist_axis<T>(a), o, [&](std::size_t i, const quat<T>& in, const auto&) {
+template <class T, class... Signs>
+status decompose_all(const quat_view<const T>& q, axis a, const factor_view<T>& out, const options& o,
+                     const Signs&... signs) {
+    const auto body = [&](std::size_t i, const quat<T>& in, const auto&) {
         half_twist<T> h = half_twist_about(a, in, threshold_of<T>(o));
         const factors<T> f = factors_about(a, in, h, o.order);
-        if (o.positive_twist || signs != nullptr) h = positive(h, in.w);
+        if (o.positive_twist || sizeof...(signs) != 0) h = positive(h, in.w);
         out.s1[i] = f.s1;
         out.s2[i] = f.s2;
         out.sc[i] = f.sc;
         out.ts[i] = h.sine;
         out.tc[i] = h.cosine;
-        if (signs != nullptr) *element(signs->data, i, signs->stride) = std::copysign(T(1), in.w);
-    });
+        ((*element(signs.data, i, signs.stride) = std::copysign(T(1), in.w)), ...);
+    };
+    return for_each(q, twist_axis<T>(a), o, body, group_of(out, o.order), group_of(signs)...);
 }
 
 template <class T>
 status twist_all(const quat_view<const T>& q, const twist_axis<T>& a, const quat_view<T>& out,
                  const options& o) {
-    projection<T> p(q, a, o);
-    p.write(out);
-    return for_each(p, q, a, o, [&](std::size_t i, const quat<T>& in, const auto& about_axis) {
+    const auto body = [&](std::size_t i, const quat<T>& in, const auto& about_axis) {
         half_twist<T> h = half_twist_about(about_axis, in, threshold_of<T>(o));
         if (o.positive_twist) h = positive(h, in.w);
         write(out, i, twist_about(about_axis, in, h));
-    });
+    };
+    return for_each(q, a, o, body, group_of(out, as_it_is));
 }
 
 template <class T>
 status swing_all(const quat_view<const T>& q, const twist_axis<T>& a, const quat_view<T>& out,
                  const options& o) {
-    projection<T> p(q, a, o);
-    p.write(out);
-    return for_each(p, q, a, o, [&](std::size_t i, const quat<T>& in, const auto& about_axis) {
+    const auto body = [&](std::size_t i, const quat<T>& in, const auto& about_axis) {
         const half_twist<T> h = half_twist_about(about_axis, in, threshold_of<T>(o));
         write(out, i, swing_about(about_axis, in, h, o.order));
-    });
+    };
+    return for_each(q, a, o, body, group_of(out, as_it_is));
 }
 
 template <class T>
 status twist_angle_all(const quat_view<const T>& q, const twist_axis<T>& a, const scalar_view<T>& radians,
                        const options& o) {
-    projection<T> p(q, a, o);
-    p.write(radians);
-    return for_each(p, q, a, o, [&](std::size_t i, const quat<T>& in, const auto& about_axis) {
+    const auto body = [&](std::size_t i, const quat<T>& in, const auto& about_axis) {
         half_twist<T> h = half_twist_about(about_axis, in, threshold_of<T>(o));
         if (o.positive_twist) h = positive(h, in.w);
         // A sine of -0 beside a negative cosine would give -2 pi, which is outside the range.
         *element(radians.data, i, radians.stride) = 2 * atan2_of(h.sine + T(0), h.cosine);
-    });
+    };
+    return for_each(q, a, o, body, group_of(radians));
 }
 
-template <class T>
-status compose_all(const quat_view<const T>& swing, const quat_view<const T>& twist,
-                   const scalar_view<const T>* signs, const quat_view<T>& q, const options& o) {
-    streams<T> s = composition(swing, twist, signs, q, o);
-    if (const status bad = check(s, o); bad != status::ok) return bad;
-    for (std::size_t i = 0; i < s.size; ++i) {
-        const quat<T> s_i = read(swing, i);
-        quat<T> t_i = read(twist, i);
-        if (signs != nullptr && std::signbit(*element(signs->data, i, signs->stride)))
-            t_i = {-t_i.x, -t_i.y, -t_i.z, -t_i.w};
-        write(q, i, o.order == product::swing_twist ? multiply(s_i, t_i) : multiply(t_i, s_i));
+template <class T, class... Signs>
+bool any_negative([[maybe_unused]] std::size_t i, const Signs&... signs) {
+    return (std::signbit(*element(signs.data, i, signs.stride)) || ... || false);
+}
+
+template <class T, class... Signs>
+status compose_all(const quat_view<const T>& swing, const quat_view<const T>& twist, const quat_view<T>& q,
+                   const options& o, const Signs&... signs) {
+    std::size_t size = 0;
+    const status bad =
+        check_call<T>([&] { return check(o); },
+                      std::tuple(group_of(swing, as_it_is), group_of(twist, as_it_is), group_of(signs)...),
+                      std::tuple(group_of(q, as_it_is)), size);
+    if (bad != status::ok) return bad;
+    for (std::size_t i = 0; i < size; ++i) {
+        const quat<T> s = read(swing, i);
+        quat<T> t = read(twist, i);
+        if (any_negative<T>(i, signs...)) t = {-t.x, -t.y, -t.z, -t.w};
+        write(q, i, o.order == product::swing_twist ? multiply(s, t) : multiply(t, s));
     }
     return status::ok;
 }
 
-template <class T>
-status compose_all(const factor_view<const T>& in, axis a, const scalar_view<const T>* signs,
-                   const quat_view<T>& q, const options& o) {
-    streams<T> s = composition(in, a, signs, q, o);
-    if (const status bad = check(s, o, a); bad != status::ok) return bad;
-    for (std::size_t i = 0; i < s.size; ++i) {
+template <class T, class... Signs>
+status compose_all(const factor_view<const T>& in, axis a, const quat_view<T>& q, const options& o,
+                   const Signs&... signs) {
+    std::size_t size = 0;
+    const auto numbers = [&] {
+        const status bad = check(o);
+        return bad != status::ok ? bad : check(a);
+    };
+    const status bad = check_call<T>(numbers, std::tuple(group_of(in, o.order), group_of(signs)...),
+                                     std::tuple(group_of(q, as_it_is)), size);
+    if (bad != status::ok) return bad;
+    for (std::size_t i = 0; i < size; ++i) {
         factors<T> f = read(in, i);
-        if (signs != nullptr && std::signbit(*element(signs->data, i, signs->stride))) {
+        if (any_negative<T>(i, signs...)) {
             f.ts = -f.ts;
             f.tc = -f.tc;
         }
@@ -364,33 +386,33 @@ status compose_all(const factor_view<const T>& in, axis a, const scalar_view<con
 
 status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
                  quat_view<float> twist, options o) noexcept {
-    return decompose_all<float>(q, a, swing, twist, nullptr, o);
+    return decompose_all<float>(q, a, swing, twist, o);
 }
 status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
                  quat_view<double> twist, options o) noexcept {
-    return decompose_all<double>(q, a, swing, twist, nullptr, o);
+    return decompose_all<double>(q, a, swing, twist, o);
 }
 status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
                  quat_view<float> twist, scalar_view<float> signs, options o) noexcept {
-    return decompose_all<float>(q, a, swing, twist, &signs, o);
+    return decompose_all<float>(q, a, swing, twist, o, signs);
 }
 status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
                  quat_view<double> twist, scalar_view<double> signs, options o) noexcept {
-    return decompose_all<double>(q, a, swing, twist, &signs, o);
+    return decompose_all<double>(q, a, swing, twist, o, signs);
 }
 status decompose(quat_view<const float> q, axis a, factor_view<float> out, options o) noexcept {
-    return decompose_all<float>(q, a, out, nullptr, o);
+    return decompose_all<float>(q, a, out, o);
 }
 status decompose(quat_view<const double> q, axis a, factor_view<double> out, options o) noexcept {
-    return decompose_all<double>(q, a, out, nullptr, o);
+    return decompose_all<double>(q, a, out, o);
 }
 status decompose(quat_view<const float> q, axis a, factor_view<float> out, scalar_view<float> signs,
                  options o) noexcept {
-    return decompose_all<float>(q, a, out, &signs, o);
+    return decompose_all<float>(q, a, out, o, signs);
 }
 status decompose(quat_view<const double> q, axis a, factor_view<double> out, scalar_view<double> signs,
                  options o) noexcept {
-    return decompose_all<double>(q, a, out, &signs, o);
+    return decompose_all<double>(q, a, out, o, signs);
 }
 status twist(quat_view<const float> q, twist_axis<float> a, quat_view<float> out, options o) noexcept {
     return twist_all<float>(q, a, out, o);
@@ -414,33 +436,33 @@ status twist_angle(quat_view<const double> q, twist_axis<double> a, scalar_view<
 }
 status compose(quat_view<const float> swing, quat_view<const float> twist, quat_view<float> q,
                options o) noexcept {
-    return compose_all<float>(swing, twist, nullptr, q, o);
+    return compose_all<float>(swing, twist, q, o);
 }
 status compose(quat_view<const double> swing, quat_view<const double> twist, quat_view<double> q,
                options o) noexcept {
-    return compose_all<double>(swing, twist, nullptr, q, o);
+    return compose_all<double>(swing, twist, q, o);
 }
 status compose(quat_view<const float> swing, quat_view<const float> twist, scalar_view<const float> signs,
                quat_view<float> q, options o) noexcept {
-    return compose_all<float>(swing, twist, &signs, q, o);
+    return compose_all<float>(swing, twist, q, o, signs);
 }
 status compose(quat_view<const double> swing, quat_view<const double> twist, scalar_view<const double> signs,
                quat_view<double> q, options o) noexcept {
-    return compose_all<double>(swing, twist, &signs, q, o);
+    return compose_all<double>(swing, twist, q, o, signs);
 }
 status compose(factor_view<const float> factors, axis a, quat_view<float> q, options o) noexcept {
-    return compose_all<float>(factors, a, nullptr, q, o);
+    return compose_all<float>(factors, a, q, o);
 }
 status compose(factor_view<const double> factors, axis a, quat_view<double> q, options o) noexcept {
-    return compose_all<double>(factors, a, nullptr, q, o);
+    return compose_all<double>(factors, a, q, o);
 }
 status compose(factor_view<const float> factors, axis a, scalar_view<const float> signs, quat_view<float> q,
                options o) noexcept {
-    return compose_all<float>(factors, a, &signs, q, o);
+    return compose_all<float>(factors, a, q, o, signs);
 }
 status compose(factor_view<const double> factors, axis a, scalar_view<const double> signs,
                quat_view<double> q, options o) noexcept {
-    return compose_all<double>(factors, a, &signs, q, o);
+    return compose_all<double>(factors, a, q, o, signs);
 }
 
 }  // namespace swivel::reference

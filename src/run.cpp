@@ -4,7 +4,8 @@ namespace swivel {
 
 namespace {
 
-// Twelve streams of it fit in half of a 32 KiB first-level cache.
+// The streams that are neither contiguous nor in an array of quaternions are staged in blocks; twelve of them
+// fit in half of a 32 KiB first-level cache.
 template <class T>
 constexpr std::size_t block_size = 1024 / sizeof(T);
 
@@ -13,87 +14,86 @@ struct block {
     alignas(64) T stream[5][block_size<T>];
 };
 
-// Where the four components of an array of quaternions lie in memory order, if the group is one.
+// Finds out where the components of the group lie in an array of quaternions, if it is one.
 template <class T>
-T* quaternion_array(const stream_group<T>& g, int (&place)[4]) noexcept {
-    if (g.count != 4 || g.stride != 4) return nullptr;
+bool is_quaternion_array(const any_group<T>& g, quaternion_array<T>& array) noexcept {
+    if (g.count != 4 || g.stride != 4) return false;
     T* first = g.stream[0];
     for (int k = 1; k < 4; ++k)
         if (g.stream[k] < first) first = g.stream[k];
     unsigned seen = 0;
     for (int k = 0; k < 4; ++k) {
         const std::ptrdiff_t at = g.stream[k] - first;
-        if (at > 3) return nullptr;
-        place[k] = static_cast<int>(at);
+        if (at > 3) return false;
+        array.place[at] = k;
         seen |= 1U << at;
     }
-    return seen == 0xfU ? first : nullptr;
+    if (seen != 0xfU) return false;
+    array.first = first;
+    return true;
 }
 
 }  // namespace
 
 template <class T>
-void run_staged(kernel<T> run_kernel, const operations<T>& table, const streams<T>& s, batch<T>& b) noexcept {
-    using group_block = block<T>;
-    group_block in_block[streams<T>::most], out_block[streams<T>::most];
-    int in_place[streams<T>::most][4], out_place[streams<T>::most][4];
-    const T* in_array[streams<T>::most];
-    T* out_array[streams<T>::most];
-    for (int i = 0; i < s.inputs; ++i) in_array[i] = quaternion_array(s.in[i], in_place[i]);
-    for (int i = 0; i < s.outputs; ++i) out_array[i] = quaternion_array(s.out[i], out_place[i]);
+void run_any(kernel<T> run_kernel, const call_streams<T>& s, batch<T>& b) noexcept {
+    block<T> in_block[call_streams<T>::most], out_block[call_streams<T>::most];
+    bool in_staged[call_streams<T>::most], out_staged[call_streams<T>::most];
+    bool any_staged = false;
+    for (quaternion_array<const T>& a : b.in_array) a.first = nullptr;
+    for (quaternion_array<T>& a : b.out_array) a.first = nullptr;
+    for (int i = 0; i < s.inputs; ++i) {
+        const bool array = is_quaternion_array(s.in[i], b.in_array[i]);
+        in_staged[i] = !array && s.in[i].stride != 1;
+        b.has_arrays |= array;
+        any_staged |= in_staged[i];
+    }
+    for (int i = 0; i < s.outputs; ++i) {
+        const bool array = is_quaternion_array(s.out[i], b.out_array[i]);
+        out_staged[i] = !array && s.out[i].stride != 1;
+        b.has_arrays |= array;
+        any_staged |= out_staged[i];
+    }
 
+    const std::size_t most = any_staged ? block_size<T> : s.size;
     for (std::size_t done = 0; done < s.size; done += b.size) {
         const auto at = static_cast<std::ptrdiff_t>(done);
-        b.size = s.size - done < block_size<T> ? s.size - done : block_size<T>;
+        b.size = s.size - done < most ? s.size - done : most;
 
         const T** in = b.in;
         for (int i = 0; i < s.inputs; ++i) {
-            const stream_group<const T>& g = s.in[i];
-            for (int k = 0; k < g.count; ++k)
-                in[k] = g.stride == 1 ? g.stream[k] + at : in_block[i].stream[k];
-            if (in_array[i] != nullptr) {
-                T* in_memory_order[4];
-                for (int k = 0; k < 4; ++k) in_memory_order[in_place[i][k]] = in_block[i].stream[k];
-                table.split_quaternions(in_array[i] + 4 * at, in_memory_order, b.size);
-            } else if (g.stride != 1) {
-                for (int k = 0; k < g.count; ++k) {
-                    const T* from = g.stream[k] + at * g.stride;
-                    for (std::size_t e = 0; e < b.size; ++e)
-                        in_block[i].stream[k][e] = from[static_cast<std::ptrdiff_t>(e) * g.stride];
-                }
+            const any_group<const T>& g = s.in[i];
+            for (int k = 0; k < g.count; ++k) {
+                const T* from = g.stream[k] + at * g.stride;
+                *in++ = in_staged[i] ? in_block[i].stream[k] : from;
+                if (!in_staged[i]) continue;
+                for (std::size_t e = 0; e < b.size; ++e)
+                    in_block[i].stream[k][e] = from[static_cast<std::ptrdiff_t>(e) * g.stride];
             }
-            in += g.count;
         }
-
         T** out = b.out;
-        for (int i = 0; i < s.outputs; ++i) {
-            const stream_group<T>& g = s.out[i];
-            for (int k = 0; k < g.count; ++k)
-                *out++ = g.stride == 1 ? g.stream[k] + at : out_block[i].stream[k];
-        }
+        for (int i = 0; i < s.outputs; ++i)
+            for (int k = 0; k < s.out[i].count; ++k)
+                *out++ = out_staged[i] ? out_block[i].stream[k] : s.out[i].stream[k] + at * s.out[i].stride;
 
         run_kernel(b);
 
         for (int i = 0; i < s.outputs; ++i) {
-            const stream_group<T>& g = s.out[i];
-            if (out_array[i] != nullptr) {
-                const T* in_memory_order[4];
-                for (int k = 0; k < 4; ++k) in_memory_order[out_place[i][k]] = out_block[i].stream[k];
-                table.join_quaternions(in_memory_order, out_array[i] + 4 * at, b.size);
-            } else if (g.stride != 1) {
-                for (int k = 0; k < g.count; ++k) {
-                    T* to = g.stream[k] + at * g.stride;
-                    for (std::size_t e = 0; e < b.size; ++e)
-                        to[static_cast<std::ptrdiff_t>(e) * g.stride] = out_block[i].stream[k][e];
-                }
+            const any_group<T>& g = s.out[i];
+            for (int k = 0; k < g.count && out_staged[i]; ++k) {
+                T* to = g.stream[k] + at * g.stride;
+                for (std::size_t e = 0; e < b.size; ++e)
+                    to[static_cast<std::ptrdiff_t>(e) * g.stride] = out_block[i].stream[k][e];
             }
         }
+        for (quaternion_array<const T>& a : b.in_array)
+            if (a.first != nullptr) a.first += 4 * b.size;
+        for (quaternion_array<T>& a : b.out_array)
+            if (a.first != nullptr) a.first += 4 * b.size;
     }
 }
 
-template void run_staged(kernel<float>, const operations<float>&, const streams<float>&,
-                         batch<float>&) noexcept;
-template void run_staged(kernel<double>, const operations<double>&, const streams<double>&,
-                         batch<double>&) noexcept;
+template void run_any(kernel<float>, const call_streams<float>&, batch<float>&) noexcept;
+template void run_any(kernel<double>, const call_streams<double>&, batch<double>&) noexcept;
 
 }  // namespace swivel

@@ -6,23 +6,50 @@
 
 namespace swivel {
 
-// Runs the kernel over streams of which some are not contiguous, a block at a time by way of the stack.
+// Runs the kernel over checked streams of any stride, a block at a time by way of the stack where they are
+// not contiguous.
 template <class T>
-void run_staged(kernel<T> run_kernel, const operations<T>& table, const streams<T>& s, batch<T>& b) noexcept;
+void run_any(kernel<T> run_kernel, const call_streams<T>& s, batch<T>& b) noexcept;
 
-// Runs the kernel over checked streams: those of the input groups one after the other, then the output
-// groups'.
-template <class T>
-void run(kernel<T> run_kernel, const operations<T>& table, const streams<T>& s, batch<T>& b) noexcept {
-    if (!s.contiguous) return run_staged(run_kernel, table, s, b);
+// The call that is not the usual one.
+template <class T, class Numbers, class... In, class... Out>
+[[gnu::noinline]] status run_checked(kernel<T> run_kernel, const Numbers& set_numbers,
+                                     const std::tuple<In...>& reads,
+                                     const std::tuple<Out...>& writes) noexcept {
+    batch<T> b;
+    call_streams<T> s(reads, writes);
+    if (const status bad = check(s); bad != status::ok || s.size == 0) return bad;
+    if (const status bad = set_numbers(b); bad != status::ok) return bad;
+    run_any(run_kernel, s, b);
+    return status::ok;
+}
+
+template <class P, class T, int N>
+[[gnu::always_inline]] inline void put(P*& to, const stream_group<T, N>& g) noexcept {
+    for (int k = 0; k < N; ++k) to[g.place[k]] = g.stream[k];
+    to += N;
+}
+
+// One call of an operation: checks the streams, then lets set_numbers(batch) check the numbers and fill them
+// in, then runs the kernel. Nothing is written unless all is right.
+template <class T, class Numbers, class... In, class... Out>
+[[gnu::always_inline]] inline status run(kernel<T> run_kernel, const Numbers& set_numbers,
+                                         const std::tuple<In...>& reads,
+                                         const std::tuple<Out...>& writes) noexcept {
+    usual_call<T> call(std::get<0>(reads).size);
+    std::apply([&](const auto&... g) [[gnu::always_inline]] { (call.read(g), ...); }, reads);
+    std::apply([&](const auto&... g) [[gnu::always_inline]] { (call.write(g, reads), ...); }, writes);
+    if (!call) [[unlikely]]
+        return run_checked(run_kernel, set_numbers, reads, writes);
+    batch<T> b;
+    if (const status bad = set_numbers(b); bad != status::ok) return bad;
     const T** in = b.in;
-    for (int i = 0; i < s.inputs; ++i)
-        for (int k = 0; k < s.in[i].count; ++k) *in++ = s.in[i].stream[k];
     T** out = b.out;
-    for (int i = 0; i < s.outputs; ++i)
-        for (int k = 0; k < s.out[i].count; ++k) *out++ = s.out[i].stream[k];
-    b.size = s.size;
+    std::apply([&](const auto&... g) [[gnu::always_inline]] { (put(in, g), ...); }, reads);
+    std::apply([&](const auto&... g) [[gnu::always_inline]] { (put(out, g), ...); }, writes);
+    b.size = std::get<0>(reads).size;
     run_kernel(b);
+    return status::ok;
 }
 
 }  // namespace swivel

@@ -7,22 +7,20 @@ namespace swivel {
 namespace {
 
 template <class T>
-status project(quat_view<const T> q, const twist_axis<T>& a, quat_view<T> out, const options& o) noexcept {
-    projection<T> p(q, a, o);
-    p.write(out);
-    if (const status bad = p.check_all(a, o); bad != status::ok || p.s.size == 0) return bad;
-    const operations<T>& table = active_operations<T>();
-    run(table.swing[p.order.form][index_of(o.accuracy)], table, p.s, p.b);
-    return status::ok;
+status any_type(const quat_view<const T>& q, const twist_axis<T>& a, const quat_view<T>& out,
+                const options& o) noexcept {
+    const component_order& order = order_for(a, o.order);
+    return project(active_operations<T>().swing[order.form][index_of(o.accuracy)], q, a, order, o,
+                   group_of(out, order));
 }
 
 }  // namespace
 
 status swing(quat_view<const float> q, twist_axis<float> a, quat_view<float> out, options o) noexcept {
-    return project<float>(q, a, out, o);
+    return any_type<float>(q, a, out, o);
 }
 status swing(quat_view<const double> q, twist_axis<double> a, quat_view<double> out, options o) noexcept {
-    return project<double>(q, a, out, o);
+    return any_type<double>(q, a, out, o);
 }
 
 }  // namespace swivel
