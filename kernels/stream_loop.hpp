@@ -45,19 +45,19 @@ void array_loop(const batch<scalar_of<V>>& b, std::index_sequence<I...>, std::in
     (from[GI].begin(b.in_array[GI]), ...);
     (to[GO].begin(b.out_array[GO]), ...);
 
-    const auto at_element = [&]<bool Whole>(std::size_t i, std::size_t count,
-                                            std::bool_constant<Whole>) [[gnu::always_inline]] {
-        [[maybe_unused]] const auto load = [&](const T* stream) [[gnu::always_inline]] {
+    const auto at_element = [&]<bool Whole>(std::size_t i, std::size_t count, std::bool_constant<Whole>)
+        __attribute__((always_inline)) {
+        [[maybe_unused]] const auto load = [&](const T* stream) __attribute__((always_inline)) {
             return Whole ? V::load_unaligned(stream + i) : load_first<V>(stream + i, count);
         };
-        [[maybe_unused]] const auto store = [&](V result, T* stream) [[gnu::always_inline]] {
+        [[maybe_unused]] const auto store = [&](V result, T * stream) __attribute__((always_inline)) {
             if constexpr (Whole)
                 result.store_unaligned(stream + i);
             else
                 store_first(result, stream + i, count);
         };
-        [[maybe_unused]] const auto read = [&](auto& array, const T* const* stream,
-                                               V* in) [[gnu::always_inline]] {
+        [[maybe_unused]] const auto read = [&](auto& array, const T* const* stream, V* in)
+            __attribute__((always_inline)) {
             if (array.at == nullptr) {
                 in[0] = load(stream[0]);
                 in[1] = load(stream[1]);
@@ -69,8 +69,8 @@ void array_loop(const batch<scalar_of<V>>& b, std::index_sequence<I...>, std::in
                 array.rest[k] = k < 4 * count ? array.at[4 * i + k] : T(1);
             array.shuffle.load(Whole ? array.at + 4 * i : array.rest, in);
         };
-        [[maybe_unused]] const auto write = [&](auto& array, T* const* stream,
-                                                const V* result) [[gnu::always_inline]] {
+        [[maybe_unused]] const auto write = [&](auto& array, T* const* stream, const V* result)
+            __attribute__((always_inline)) {
             if (array.at == nullptr) {
                 store(result[0], stream[0]);
                 store(result[1], stream[1]);

@@ -112,10 +112,12 @@ template <class T, class... Out>
 [[gnu::always_inline]] inline status project(kernel<T> run_kernel, const quat_view<const T>& q,
                                              const twist_axis<T>& a, const component_order& order,
                                              const options& o, const Out&... out) noexcept {
-    return with_projected(q, a, order, [&](const auto& reads) [[gnu::always_inline]] {
-        return run(
-            run_kernel, [&](batch<T>& b) { return set_numbers(b, order, a, o); }, reads, std::tuple(out...));
-    });
+    return with_projected(
+        q, a, order, [&](const auto& reads) __attribute__((always_inline)) {
+            return run(
+                run_kernel, [&](batch<T>& b) { return set_numbers(b, order, a, o); }, reads,
+                std::tuple(out...));
+        });
 }
 
 }  // namespace swivel

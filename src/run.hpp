@@ -37,16 +37,20 @@ template <class T, class Numbers, class... In, class... Out>
                                          const std::tuple<In...>& reads,
                                          const std::tuple<Out...>& writes) noexcept {
     usual_call<T> call(std::get<0>(reads).size);
-    std::apply([&](const auto&... g) [[gnu::always_inline]] { (call.read(g), ...); }, reads);
-    std::apply([&](const auto&... g) [[gnu::always_inline]] { (call.write(g, reads), ...); }, writes);
+    std::apply(
+        [&](const auto&... g) __attribute__((always_inline)) { (call.read(g), ...); }, reads);
+    std::apply(
+        [&](const auto&... g) __attribute__((always_inline)) { (call.write(g, reads), ...); }, writes);
     if (!call) [[unlikely]]
         return run_checked(run_kernel, set_numbers, reads, writes);
     batch<T> b;
     if (const status bad = set_numbers(b); bad != status::ok) return bad;
     const T** in = b.in;
     T** out = b.out;
-    std::apply([&](const auto&... g) [[gnu::always_inline]] { (put(in, g), ...); }, reads);
-    std::apply([&](const auto&... g) [[gnu::always_inline]] { (put(out, g), ...); }, writes);
+    std::apply(
+        [&](const auto&... g) __attribute__((always_inline)) { (put(in, g), ...); }, reads);
+    std::apply(
+        [&](const auto&... g) __attribute__((always_inline)) { (put(out, g), ...); }, writes);
     b.size = std::get<0>(reads).size;
     run_kernel(b);
     return status::ok;
