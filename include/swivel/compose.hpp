@@ -5,23 +5,22 @@
 
 // compose: the rotation of a swing and a twist, the inverse of decompose
 //
-// Formula    q = S T, or q = T R with product::twist_swing: the Hamilton product, of any two quaternions. Of
-// the
-//            compact form about a coordinate axis, (A; B, C) cyclic as in decompose.hpp:
+// Formula    q = S T, or q = T R with product::twist_swing: the Hamilton product, of any two quaternions.
+//            Of the compact form about a coordinate axis, (A; B, C) cyclic as in decompose.hpp:
 //              w = sc tc   A = sc ts   B = s1 tc + s2 ts   C = s2 tc - s1 ts   (q = S T)
 //                                      B = s1 tc - s2 ts   C = s2 tc + s1 ts   (q = T R)
-//            With signs, those that decompose kept, the sign bit of each is first exchanged into every
-//            component of the twist. That restores q right whatever was done to the twist in between, also
-//            where it has been pushed past 180 degrees; setting the sign of w instead would not.
+//            Given the signs that decompose kept, the sign bit of each is first exchanged into every component
+//            of the twist. That restores q right whatever was done to the twist in between, also where it has
+//            been pushed past 180 degrees; setting the sign of w instead would not.
 // Domain     Any factors whose products neither overflow nor underflow.
 // Singular   Nowhere.
 // NaN/Inf    An element with a NaN or an infinity in any component of its factors comes out as NaN in every
 //            component; no other element is affected. An infinite sign counts as its sign.
-// Accuracy   4 units of 2^-24 (float) or 2^-53 (double) of |S| |T|, by tools/accuracy_report; the compact
-// form 3. Identity   A factor (0, 0, 0, 1) leaves the other one as it is, exactly. Aliasing   The outputs may
-// be exactly inputs, stream for stream in any pairing (types.hpp). Cost       One pass, 8 (compact: 5)
-// streams in and 4 out. Of the options only order and accuracy matter. Source     Reynolds, "Quaternion
-// swing-twist decomposition", Reconstruction.
+// Accuracy   3 units of 2^-24 (float) or 2^-53 (double) of |S| |T|, the compact form 2, by tools/accuracy_report.
+// Identity   A factor (0, 0, 0, 1) leaves the other one as it is, exactly.
+// Aliasing   The output may be exactly an input, stream for stream in any pairing (types.hpp).
+// Cost       One pass, 8 (compact: 5) streams in and 4 out. Of the options only order and accuracy matter.
+// Source     Reynolds, "Quaternion swing-twist decomposition", Reconstruction.
 
 namespace swivel {
 

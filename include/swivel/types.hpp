@@ -14,16 +14,15 @@
 //   Swing         about an axis perpendicular to `a`, through [0, pi]; its w is never negative.
 //   Pole          w = 0 and a.v = 0, where q turns `a` into -a (a half-turn swing) and every twist would do.
 //                 decompose.hpp says what comes out there.
-//   The spinor a + b e12 + c e23 + d e31 of Dobrowolski's paper is the quaternion (w, x, y, z) = (a, -c, -d,
-//   -b).
+//   Spinor        a + b e12 + c e23 + d e31 of Dobrowolski's paper is (w, x, y, z) = (a, -c, -d, -b).
 //
 // Contract shared by every operation that takes views
 //
 //   Never throws, never allocates, takes no lock, and may be called from any thread at any time. The floating
-//   point environment (rounding mode, flush to zero) is used as found; the stated figures are for the
-//   default. All checks are made before the first write and cost the same for every size. On any status but
-//   `ok` nothing has been written. A size of 0 is `ok`, whatever the pointers. Values are not inspected. An
-//   output stream may be exactly an input stream (same pointer, stride and size: in place). Any other overlap
+//   point environment (rounding mode, flush to zero) is used as found; the stated figures are for the default.
+//   All checks are made before the first write and cost the same for every size. On any status but `ok` nothing
+//   has been written. A size of 0 is `ok`, whatever the pointers. Values are not inspected.
+//   An output stream may be exactly an input stream (same pointer, stride and size: in place). Any other overlap
 //   of an output with an input or with another output is refused.
 
 #include <cstddef>
@@ -40,11 +39,9 @@ enum class product : std::uint8_t {
 };
 
 enum class precision : std::uint8_t {
-    // The quickest arithmetic of the ISA: fused multiply-add, reciprocal square root estimate and Newton
-    // steps.
+    // The quickest arithmetic of the ISA: fused multiply-add, estimate of the reciprocal root, Newton steps.
     fast,
-    // Only correctly rounded + - * / and square root, in one order: the same bits on every ISA, compiler and
-    // in
+    // Only correctly rounded + - * / and square root, in one order: the same bits on every ISA, compiler and in
     // swivel::reference.
     reproducible
 };
