@@ -173,7 +173,18 @@ inline V magnitude(V a) noexcept {
 // 1 with the sign of a.
 template <class V>
 inline V one_signed_like(V a) noexcept {
+#if defined(__AVX512F__)
+    // gcc 12 does not merge the two operations. The truth table is that of (a & b) | c.
+    constexpr int and_or = 0xea;
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(_mm512_castsi512_ps(_mm512_ternarylogic_epi32(
+            _mm512_castps_si512(a), _mm512_castps_si512(V(-0.0F)), _mm512_castps_si512(V(1.0F)), and_or)));
+    else
+        return V(_mm512_castsi512_pd(_mm512_ternarylogic_epi64(
+            _mm512_castpd_si512(a), _mm512_castpd_si512(V(-0.0)), _mm512_castpd_si512(V(1.0)), and_or)));
+#else
     return sign_of(a) | V(scalar_of<V>(1));
+#endif
 }
 
 // The larger one; b where either is NaN. NEON and x86 differ in what max does with NaN, a select does not.
@@ -282,8 +293,8 @@ inline __m256i first_lanes_64(std::size_t count) noexcept {
 }
 #endif
 
-// The first `count` lanes from memory, 1 in the others: a value that takes the regular way through every
-// kernel.
+// The first `count` lanes, of which there are some but not all, from memory; 1 in the others, a value that takes the
+// regular way through every kernel.
 template <class V>
 inline V load_first(const scalar_of<V>* from, std::size_t count) noexcept {
     using T = scalar_of<V>;
@@ -299,6 +310,15 @@ inline V load_first(const scalar_of<V>* from, std::size_t count) noexcept {
     } else {
         const __m256i first = first_lanes_64(count);
         return V(_mm256_blendv_pd(V(T(1)), _mm256_maskload_pd(from, first), _mm256_castsi256_pd(first)));
+    }
+#elif defined(__SSE2__)
+    const V one(T(1));
+    if constexpr (sizeof(T) == 8) {
+        return V(_mm_loadl_pd(one, from));
+    } else {
+        if (count == 1) return V(_mm_move_ss(one, _mm_load_ss(from)));
+        const __m128 two = _mm_loadl_pi(one, reinterpret_cast<const __m64*>(from));
+        return count == 2 ? V(two) : V(_mm_movelh_ps(two, _mm_move_ss(one, _mm_load_ss(from + 2))));
     }
 #else
     alignas(V) T block[V::size];
@@ -321,6 +341,14 @@ inline void store_first(V a, scalar_of<V>* to, std::size_t count) noexcept {
         _mm256_maskstore_ps(to, first_lanes_32(count), a);
     else
         _mm256_maskstore_pd(to, first_lanes_64(count), a);
+#elif defined(__SSE2__)
+    if constexpr (sizeof(T) == 8) {
+        _mm_storel_pd(to, a);
+    } else {
+        if (count == 1) return _mm_store_ss(to, a);
+        _mm_storel_pi(reinterpret_cast<__m64*>(to), a);
+        if (count == 3) _mm_store_ss(to + 2, _mm_movehl_ps(a, a));
+    }
 #else
     alignas(V) T block[V::size];
     a.store_aligned(block);

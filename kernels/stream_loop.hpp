@@ -124,8 +124,10 @@ inline void stream_loop(const batch<scalar_of<V>>& b, std::index_sequence<I...> 
     }
 }
 
+// Flattened: gcc 12 would leave the second call of the operation, that of the tail, out of line, and every register in
+// memory.
 template <class V, class Op>
-void stream_loop(const batch<scalar_of<V>>& b) noexcept {
+[[gnu::flatten]] void stream_loop(const batch<scalar_of<V>>& b) noexcept {
     stream_loop<V, Op>(b, std::make_index_sequence<Op::inputs>(), std::make_index_sequence<Op::outputs>());
 }
 
