@@ -64,10 +64,22 @@ struct extent {
     bool overlaps(const extent& o) const noexcept { return begin < o.end && o.begin < end; }
 };
 
-// Tells the usual call from one that must be looked at more closely, right or wrong: contiguous streams,
-// those of a view one after the other in memory, each view apart from the others or, in place, the same as
-// one that is read. That takes a few dozen comparisons, since the number of streams is a constant, so that a
-// call for a few elements costs little.
+// Whether the group is an array of quaternions, x first or w first.
+template <class T, int N>
+bool is_array(const stream_group<T, N>& g) noexcept {
+    if constexpr (N != 4) {
+        return false;
+    } else {
+        T* const first = g.stream[0];
+        return g.stride == 4 && g.stream[1] == first + 1 && g.stream[2] == first + 2 &&
+               (g.stream[3] == first + 3 || g.stream[3] == first - 1);
+    }
+}
+
+// Tells the usual call from one that must be looked at more closely, right or wrong: streams that are contiguous and,
+// within a view, one after the other in memory, or arrays of quaternions; each view apart from the others or, in place,
+// the same as one that is read. That takes a few dozen comparisons, since the number of streams is a constant, so that
+// a call for a few elements costs little.
 template <class T>
 class usual_call {
 public:
@@ -75,7 +87,7 @@ public:
         : size_(size),
           bytes_(static_cast<std::ptrdiff_t>(size * sizeof(T))),
           // Neither 0 nor too many.
-          usual_(size - 1 < static_cast<std::size_t>(PTRDIFF_MAX) / sizeof(T)) {}
+          usual_(size - 1 < static_cast<std::size_t>(PTRDIFF_MAX) / (4 * sizeof(T))) {}
 
     template <int N>
     [[gnu::always_inline]] void read(const stream_group<const T, N>& g) noexcept {
@@ -94,6 +106,7 @@ public:
     }
 
     explicit operator bool() const noexcept { return usual_; }
+    bool has_arrays() const noexcept { return has_arrays_; }
 
 private:
     template <class U>
@@ -103,11 +116,18 @@ private:
 
     template <class U, int N>
     [[gnu::always_inline]] extent look_at(const stream_group<U, N>& g) noexcept {
-        usual_ = usual_ && g.size == size_ && (g.stride == 1 || size_ == 1) && g.stream[0] != nullptr;
-        for (int k = 1; k < N; ++k)
-            usual_ = usual_ &&
-                     static_cast<std::ptrdiff_t>(address(g.stream[k]) - address(g.stream[k - 1])) >= bytes_;
-        return {address(g.stream[0]), address(g.stream[N - 1]) + static_cast<std::uintptr_t>(bytes_)};
+        usual_ = usual_ && g.size == size_ && g.stream[0] != nullptr;
+        if (g.stride == 1 || size_ == 1) {
+            for (int k = 1; k < N; ++k)
+                usual_ = usual_ && static_cast<std::ptrdiff_t>(address(g.stream[k]) -
+                                                               address(g.stream[k - 1])) >= bytes_;
+            return {address(g.stream[0]), address(g.stream[N - 1]) + static_cast<std::uintptr_t>(bytes_)};
+        }
+        has_arrays_ = true;
+        usual_ = usual_ && is_array(g);
+        const std::uintptr_t begin =
+            address(g.stream[0]) - (N == 4 && g.stream[N - 1] < g.stream[0] ? sizeof(T) : 0);
+        return {begin, begin + 4 * static_cast<std::uintptr_t>(bytes_)};
     }
 
     template <int N, int M>
@@ -123,7 +143,7 @@ private:
 
     std::size_t size_;
     std::ptrdiff_t bytes_;
-    bool usual_;
+    bool usual_, has_arrays_ = false;
     int reads_ = 0, writes_ = 0;
     extent read_[call_streams<T>::most], written_[call_streams<T>::most];
 };

@@ -30,6 +30,20 @@ template <class P, class T, int N>
     to += N;
 }
 
+// Of a group that is an array, where it is.
+template <class U, int N>
+void put_array(quaternion_array<U>*& to, const stream_group<U, N>& g) noexcept {
+    to->first = nullptr;
+    if constexpr (N == 4) {
+        if (is_array(g)) {
+            const bool w_first = g.stream[3] < g.stream[0];
+            to->first = g.stream[w_first ? 3 : 0];
+            for (int k = 0; k < 4; ++k) to->place[w_first ? (k + 1) % 4 : k] = g.place[k];
+        }
+    }
+    ++to;
+}
+
 // One call of an operation: checks the streams, then lets set_numbers(batch) check the numbers and fill them
 // in, then runs the kernel. Nothing is written unless all is right.
 template <class T, class Numbers, class... In, class... Out>
@@ -52,6 +66,13 @@ template <class T, class Numbers, class... In, class... Out>
     std::apply(
         [&](const auto&... g) __attribute__((always_inline)) { (put(out, g), ...); }, writes);
     b.size = std::get<0>(reads).size;
+    b.has_arrays = call.has_arrays();
+    if (b.has_arrays) {
+        quaternion_array<const T>* in_array = b.in_array;
+        quaternion_array<T>* out_array = b.out_array;
+        std::apply([&](const auto&... g) { (put_array(in_array, g), ...); }, reads);
+        std::apply([&](const auto&... g) { (put_array(out_array, g), ...); }, writes);
+    }
     run_kernel(b);
     return status::ok;
 }
