@@ -46,7 +46,7 @@ struct bounds {
 bounds stated(precision p) { return p == precision::reproducible ? bounds{4, 4, 8, 3} : bounds{5, 5, 10, 3}; }
 
 bounds stated_for_own_axis(precision p) {
-    return p == precision::reproducible ? bounds{4, 5, 8.5, 3.5} : bounds{7, 7.5, 13, 5};
+    return p == precision::reproducible ? bounds{4.5, 5.5, 9.5, 3.5} : bounds{7, 7.5, 13, 5};
 }
 
 template <class T>

@@ -25,7 +25,7 @@
 //            measures them and decompose_test.cpp asserts them:
 //                                                       |T|   |S|   S T - q   a.S
 //              reproducible                              4     4       8       3
-//              reproducible, an axis for each element    4     5       8.5     3.5
+//              reproducible, an axis for each element    4.5   5.5     9.5     3.5
 //              fast                                      5     5      10       3
 //              fast, an axis for each element            7     7.5    13       5
 //            T and S themselves: about a coordinate axis 4 (fast 5) at any distance from the pole above the
