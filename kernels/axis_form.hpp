@@ -108,7 +108,7 @@ struct vector_form {
         const V u = M::multiply_add(az, z, M::multiply_add(ay, y, ax * x));
         const V w_squared = w * w;
         V t;
-        if constexpr (P == fast_index)
+        if constexpr (M::fuses)
             t = M::multiply_add(u, u, w_squared);
         else
             t = u * u + (w_squared + excess * (u * u));
@@ -152,8 +152,8 @@ struct vector_form {
     }
 };
 
-// Uniform: the threshold, the unit axis, and |a|^2 - 1, what its rounding left over. The latter is taken out
-// of the norms in reproducible; fast has room for it in its figures.
+// Uniform: the threshold, the unit axis, and |a|^2 - 1, what its rounding left over. That is taken out of the norms,
+// except where the arithmetic is fused and has room for it in its figures.
 template <precision_index P, class V>
 struct uniform_form : vector_form<P, V> {
     using base = vector_form<P, V>;
