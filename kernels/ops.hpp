@@ -22,34 +22,12 @@ using mask_of = typename V::batch_bool_type;
 #if defined(__AVX512F__)
 
 // xsimd 8.1.0 does not fuse here, and has no rsqrt.
-template <class A>
-inline xsimd::batch<float, A> fused_multiply_add(xsimd::batch<float, A> a, xsimd::batch<float, A> b,
-                                                 xsimd::batch<float, A> c) noexcept {
-    return xsimd::batch<float, A>(_mm512_fmadd_ps(a, b, c));
-}
-template <class A>
-inline xsimd::batch<double, A> fused_multiply_add(xsimd::batch<double, A> a, xsimd::batch<double, A> b,
-                                                  xsimd::batch<double, A> c) noexcept {
-    return xsimd::batch<double, A>(_mm512_fmadd_pd(a, b, c));
-}
-template <class A>
-inline xsimd::batch<float, A> fused_negate_multiply_add(xsimd::batch<float, A> a, xsimd::batch<float, A> b,
-                                                        xsimd::batch<float, A> c) noexcept {
-    return xsimd::batch<float, A>(_mm512_fnmadd_ps(a, b, c));
-}
-template <class A>
-inline xsimd::batch<double, A> fused_negate_multiply_add(xsimd::batch<double, A> a, xsimd::batch<double, A> b,
-                                                         xsimd::batch<double, A> c) noexcept {
-    return xsimd::batch<double, A>(_mm512_fnmadd_pd(a, b, c));
-}
-template <class A>
-inline xsimd::batch<float, A> rsqrt_estimate(xsimd::batch<float, A> t) noexcept {
-    return xsimd::batch<float, A>(_mm512_rsqrt14_ps(t));
-}
-template <class A>
-inline xsimd::batch<double, A> rsqrt_estimate(xsimd::batch<double, A> t) noexcept {
-    return xsimd::batch<double, A>(_mm512_rsqrt14_pd(t));
-}
+inline __m512 fused(__m512 a, __m512 b, __m512 c) noexcept { return _mm512_fmadd_ps(a, b, c); }
+inline __m512d fused(__m512d a, __m512d b, __m512d c) noexcept { return _mm512_fmadd_pd(a, b, c); }
+inline __m512 fused_negative(__m512 a, __m512 b, __m512 c) noexcept { return _mm512_fnmadd_ps(a, b, c); }
+inline __m512d fused_negative(__m512d a, __m512d b, __m512d c) noexcept { return _mm512_fnmadd_pd(a, b, c); }
+inline __m512 rsqrt_estimate(__m512 t) noexcept { return _mm512_rsqrt14_ps(t); }
+inline __m512d rsqrt_estimate(__m512d t) noexcept { return _mm512_rsqrt14_pd(t); }
 inline constexpr bool has_fma = true;
 template <class T>
 inline constexpr int newton_steps = sizeof(T) == 4 ? 1 : 2;
@@ -58,73 +36,38 @@ inline constexpr T newton_one = 1;
 
 #elif defined(__SSE2__)
 
-template <class A>
-inline xsimd::batch<float, A> rsqrt_estimate(xsimd::batch<float, A> t) noexcept {
-    if constexpr (xsimd::batch<float, A>::size == 4) return xsimd::batch<float, A>(_mm_rsqrt_ps(t));
 #if defined(__AVX2__)
-    else
-        return xsimd::batch<float, A>(_mm256_rsqrt_ps(t));
+inline __m256 fused(__m256 a, __m256 b, __m256 c) noexcept { return _mm256_fmadd_ps(a, b, c); }
+inline __m256d fused(__m256d a, __m256d b, __m256d c) noexcept { return _mm256_fmadd_pd(a, b, c); }
+inline __m256 fused_negative(__m256 a, __m256 b, __m256 c) noexcept { return _mm256_fnmadd_ps(a, b, c); }
+inline __m256d fused_negative(__m256d a, __m256d b, __m256d c) noexcept { return _mm256_fnmadd_pd(a, b, c); }
+inline __m256 rsqrt_estimate(__m256 t) noexcept { return _mm256_rsqrt_ps(t); }
+inline constexpr bool has_fma = true;
+#else
+inline __m128 rsqrt_estimate(__m128 t) noexcept { return _mm_rsqrt_ps(t); }
+inline constexpr bool has_fma = false;
 #endif
-}
 // There is no estimate for double, and one by way of float has neither the range nor, after the steps that it
 // needs, the speed of a square root and a division.
 template <class T>
 inline constexpr int newton_steps = sizeof(T) == 4 ? 1 : -1;
-// After one step from an estimate of 11 bits the root is too small by up to 3 units of 2^-24, never too
-// large; this adds 1.
+// After one step from an estimate of 11 bits the root is too small by up to 3 units of 2^-24, never too large;
+// this adds 1.
 template <class T>
 inline constexpr T newton_one = sizeof(T) == 4 ? T(1 + 0x1p-23) : T(1);
 
-#if defined(__FMA__)
-inline constexpr bool has_fma = true;
-template <class V>
-inline V fused_multiply_add(V a, V b, V c) noexcept {
-    if constexpr (sizeof(scalar_of<V>) == 4)
-        return V(_mm256_fmadd_ps(a, b, c));
-    else
-        return V(_mm256_fmadd_pd(a, b, c));
-}
-template <class V>
-inline V fused_negate_multiply_add(V a, V b, V c) noexcept {
-    if constexpr (sizeof(scalar_of<V>) == 4)
-        return V(_mm256_fnmadd_ps(a, b, c));
-    else
-        return V(_mm256_fnmadd_pd(a, b, c));
-}
-#else
-inline constexpr bool has_fma = false;
-#endif
-
 #elif defined(__aarch64__)
 
-template <class A>
-inline xsimd::batch<float, A> fused_multiply_add(xsimd::batch<float, A> a, xsimd::batch<float, A> b,
-                                                 xsimd::batch<float, A> c) noexcept {
-    return xsimd::batch<float, A>(vfmaq_f32(c, a, b));
+inline float32x4_t fused(float32x4_t a, float32x4_t b, float32x4_t c) noexcept { return vfmaq_f32(c, a, b); }
+inline float64x2_t fused(float64x2_t a, float64x2_t b, float64x2_t c) noexcept { return vfmaq_f64(c, a, b); }
+inline float32x4_t fused_negative(float32x4_t a, float32x4_t b, float32x4_t c) noexcept {
+    return vfmsq_f32(c, a, b);
 }
-template <class A>
-inline xsimd::batch<double, A> fused_multiply_add(xsimd::batch<double, A> a, xsimd::batch<double, A> b,
-                                                  xsimd::batch<double, A> c) noexcept {
-    return xsimd::batch<double, A>(vfmaq_f64(c, a, b));
+inline float64x2_t fused_negative(float64x2_t a, float64x2_t b, float64x2_t c) noexcept {
+    return vfmsq_f64(c, a, b);
 }
-template <class A>
-inline xsimd::batch<float, A> fused_negate_multiply_add(xsimd::batch<float, A> a, xsimd::batch<float, A> b,
-                                                        xsimd::batch<float, A> c) noexcept {
-    return xsimd::batch<float, A>(vfmsq_f32(c, a, b));
-}
-template <class A>
-inline xsimd::batch<double, A> fused_negate_multiply_add(xsimd::batch<double, A> a, xsimd::batch<double, A> b,
-                                                         xsimd::batch<double, A> c) noexcept {
-    return xsimd::batch<double, A>(vfmsq_f64(c, a, b));
-}
-template <class A>
-inline xsimd::batch<float, A> rsqrt_estimate(xsimd::batch<float, A> t) noexcept {
-    return xsimd::batch<float, A>(vrsqrteq_f32(t));
-}
-template <class A>
-inline xsimd::batch<double, A> rsqrt_estimate(xsimd::batch<double, A> t) noexcept {
-    return xsimd::batch<double, A>(vrsqrteq_f64(t));
-}
+inline float32x4_t rsqrt_estimate(float32x4_t t) noexcept { return vrsqrteq_f32(t); }
+inline float64x2_t rsqrt_estimate(float64x2_t t) noexcept { return vrsqrteq_f64(t); }
 inline constexpr bool has_fma = true;
 // The estimate has only 8 bits.
 template <class T>
@@ -251,7 +194,7 @@ struct arithmetic {
     template <class V>
     static V multiply_add(V a, V b, V c) noexcept {
         if constexpr (fuses)
-            return fused_multiply_add(a, b, c);
+            return V(fused(a, b, c));
         else
             return a * b + c;
     }
@@ -260,7 +203,7 @@ struct arithmetic {
     template <class V>
     static V negate_multiply_add(V a, V b, V c) noexcept {
         if constexpr (fuses)
-            return fused_negate_multiply_add(a, b, c);
+            return V(fused_negative(a, b, c));
         else
             return c - a * b;
     }
@@ -272,7 +215,7 @@ struct arithmetic {
         if constexpr (P == reproducible_index || newton_steps<T> < 0) {
             return quotient(V(T(1)), square_root_of(t));
         } else {
-            V y = rsqrt_estimate(t);
+            V y(rsqrt_estimate(t));
             for (int step = 0; step < newton_steps<T>; ++step) {
                 const V residual = negate_multiply_add(t * y, y, V(newton_one<T>));
                 y = multiply_add(V(T(0.5)) * y, residual, y);
