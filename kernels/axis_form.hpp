@@ -59,14 +59,14 @@ struct coordinate_form {
 
     explicit coordinate_form(const T* uniform) noexcept : threshold(uniform[0]) {}
 
-    element read(const V* in, half_twist<V>& h) const noexcept {
+    void read(const V* in, element& q, half_twist<V>& h) const noexcept {
         const V b = in[0], c = in[1], a = in[2], w = in[3];
         const V t = M::multiply_add(a, a, w * w);
         // Both orders of b and c must give the same bits where the arithmetic is not fused.
         const V norm_squared =
             M::fuses ? M::multiply_add(c, c, M::multiply_add(b, b, t)) : (b * b + c * c) + t;
         h = half_twist_of<P>(w, a, t, norm_squared, threshold);
-        return {b, c, a, w, norm_squared};
+        q = {b, c, a, w, norm_squared};
     }
 
     static void swing(const element& q, const half_twist<V>& h, V* out) noexcept {
@@ -96,14 +96,14 @@ struct vector_form {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
 
-    // Flat: gcc 12 keeps a nested structure in memory.
+    // Flat, and filled in rather than returned: gcc 12 keeps others in memory.
     struct element {
         V x, y, z, w, u, ax, ay, az;
     };
 
     V threshold;
 
-    element project(const V* in, V ax, V ay, V az, V excess, half_twist<V>& h) const noexcept {
+    void project(const V* in, V ax, V ay, V az, V excess, element& q, half_twist<V>& h) const noexcept {
         const V x = in[0], y = in[1], z = in[2], w = in[3];
         const V u = M::multiply_add(az, z, M::multiply_add(ay, y, ax * x));
         const V w_squared = w * w;
@@ -117,17 +117,16 @@ struct vector_form {
             M::fuses ? M::multiply_add(z, z, M::multiply_add(y, y, M::multiply_add(x, x, w_squared)))
                      : ((x * x + y * y) + z * z) + w_squared;
         h = half_twist_of<P>(w, u, t, norm_squared, threshold);
-        return {x, y, z, w, u, ax, ay, az};
+        q = {x, y, z, w, u, ax, ay, az};
     }
 
     // S = q T* = (c w + d u, c v - c u a + d a x v). The part c u of v along the axis is written without d,
     // so that it is taken out at the pole too.
     static void swing(const element& q, const half_twist<V>& h, V* out) noexcept {
-        const V along = h.cosine * q.u;
         const V tx = h.sine * q.ax, ty = h.sine * q.ay, tz = h.sine * q.az;
-        out[0] = swing_component(q.x, q.ax, ty, q.z, tz, q.y, h, along);
-        out[1] = swing_component(q.y, q.ay, tz, q.x, tx, q.z, h, along);
-        out[2] = swing_component(q.z, q.az, tx, q.y, ty, q.x, h, along);
+        out[0] = swing_component(q.x, q.ax, ty, q.z, tz, q.y, h, q.u);
+        out[1] = swing_component(q.y, q.ay, tz, q.x, tx, q.z, h, q.u);
+        out[2] = swing_component(q.z, q.az, tx, q.y, ty, q.x, h, q.u);
         // T.q is c w + d u, but free of the rounding of u.
         if constexpr (P == fast_index)
             out[3] = M::multiply_add(h.sine, q.u, h.cosine * q.w);
@@ -135,13 +134,14 @@ struct vector_form {
             out[3] = h.cosine * q.w + ((tx * q.x + ty * q.y) + tz * q.z);
     }
 
-    // c v - (c u) a + (p q - r s), the last being one component of d a x v.
-    static V swing_component(V v, V a, V p, V q, V r, V s, const half_twist<V>& h, V along) noexcept {
-        const V perpendicular = M::negate_multiply_add(along, a, h.cosine * v);
-        if constexpr (M::fuses)
+    // c (v - u a) + (p q - r s), the last being one component of d a x v. Unfused, c v - (c u) a rounds less.
+    static V swing_component(V v, V a, V p, V q, V r, V s, const half_twist<V>& h, V u) noexcept {
+        if constexpr (M::fuses) {
+            const V perpendicular = h.cosine * M::negate_multiply_add(u, a, v);
             return M::negate_multiply_add(r, s, M::multiply_add(p, q, perpendicular));
-        else
-            return perpendicular + (p * q - r * s);
+        } else {
+            return (h.cosine * v - h.cosine * u * a) + (p * q - r * s);
+        }
     }
 
     static void twist(const element& q, const half_twist<V>& h, V* out) noexcept {
@@ -164,8 +164,8 @@ struct uniform_form : vector_form<P, V> {
     explicit uniform_form(const scalar_of<V>* uniform) noexcept
         : base{V(uniform[0])}, ax(uniform[1]), ay(uniform[2]), az(uniform[3]), excess(uniform[4]) {}
 
-    typename base::element read(const V* in, half_twist<V>& h) const noexcept {
-        return base::project(in, ax, ay, az, excess, h);
+    void read(const V* in, typename base::element& q, half_twist<V>& h) const noexcept {
+        base::project(in, ax, ay, az, excess, q, h);
     }
 };
 
@@ -186,9 +186,9 @@ struct per_element_form : vector_form<P, V> {
 
     explicit per_element_form(const T* uniform) noexcept : base{V(uniform[0])} {}
 
-    typename base::element read(const V* in, half_twist<V>& h) const noexcept {
+    void read(const V* in, typename base::element& q, half_twist<V>& h) const noexcept {
         const unit_vector<V> a = normalized(in[4], in[5], in[6]);
-        return base::project(in, a.x, a.y, a.z, V(T(0)), h);
+        base::project(in, a.x, a.y, a.z, V(T(0)), q, h);
     }
 
     static unit_vector<V> normalized(V x, V y, V z) noexcept {

@@ -22,7 +22,8 @@ struct decompose_op : Form {
 
     void operator()(const V* in, V* out) const noexcept {
         half_twist<V> h;
-        const auto q = this->read(in, h);
+        typename Form::element q;
+        this->read(in, q, h);
         Form::swing(q, h, out);
         Form::twist(q, Sign == sign_left ? h : positive(h, q.w), out + 4);
         if constexpr (Sign == sign_kept) out[8] = one_signed_like(q.w);
@@ -38,7 +39,8 @@ struct decompose_compact_op : Form {
 
     void operator()(const V* in, V* out) const noexcept {
         half_twist<V> h;
-        const auto q = this->read(in, h);
+        typename Form::element q;
+        this->read(in, q, h);
         Form::swing_compact(q, h, out[0], out[1], out[2]);
         if constexpr (Sign != sign_left) h = positive(h, q.w);
         out[3] = h.sine;

@@ -15,7 +15,8 @@ struct swing_op : Form {
 
     void operator()(const V* in, V* out) const noexcept {
         half_twist<V> h;
-        const auto q = this->read(in, h);
+        typename Form::element q;
+        this->read(in, q, h);
         Form::swing(q, h, out);
     }
 };

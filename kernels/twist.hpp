@@ -15,7 +15,8 @@ struct twist_op : Form {
 
     void operator()(const V* in, V* out) const noexcept {
         half_twist<V> h;
-        const auto q = this->read(in, h);
+        typename Form::element q;
+        this->read(in, q, h);
         Form::twist(q, Sign == sign_left ? h : positive(h, q.w), out);
     }
 };

@@ -16,7 +16,8 @@ struct twist_angle_op : Form {
 
     void operator()(const V* in, V* out) const noexcept {
         half_twist<V> h;
-        const auto q = this->read(in, h);
+        typename Form::element q;
+        this->read(in, q, h);
         if constexpr (Sign != sign_left) h = positive(h, q.w);
         // A sine of -0 next to a negative cosine would be the angle -2 pi, which is outside the range.
         const V sine = h.sine + V(scalar_of<V>(0));
