@@ -29,35 +29,37 @@ status compact(const quat_view<const T>& q, axis a, const factor_view<T>& out, c
 
 }  // namespace
 
-status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
-                 quat_view<float> twist, options o) noexcept {
+status decompose(const quat_view<const float>& q, const twist_axis<float>& a, const quat_view<float>& swing,
+                 const quat_view<float>& twist, options o) noexcept {
     return full<float>(q, a, swing, twist, o, sign_of(o));
 }
-status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
-                 quat_view<double> twist, options o) noexcept {
+status decompose(const quat_view<const double>& q, const twist_axis<double>& a,
+                 const quat_view<double>& swing, const quat_view<double>& twist, options o) noexcept {
     return full<double>(q, a, swing, twist, o, sign_of(o));
 }
-status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
-                 quat_view<float> twist, scalar_view<float> signs, options o) noexcept {
+status decompose(const quat_view<const float>& q, const twist_axis<float>& a, const quat_view<float>& swing,
+                 const quat_view<float>& twist, const scalar_view<float>& signs, options o) noexcept {
     return full<float>(q, a, swing, twist, o, sign_kept, signs);
 }
-status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
-                 quat_view<double> twist, scalar_view<double> signs, options o) noexcept {
+status decompose(const quat_view<const double>& q, const twist_axis<double>& a,
+                 const quat_view<double>& swing, const quat_view<double>& twist,
+                 const scalar_view<double>& signs, options o) noexcept {
     return full<double>(q, a, swing, twist, o, sign_kept, signs);
 }
 
-status decompose(quat_view<const float> q, axis a, factor_view<float> out, options o) noexcept {
+status decompose(const quat_view<const float>& q, axis a, const factor_view<float>& out, options o) noexcept {
     return compact<float>(q, a, out, o, sign_of(o));
 }
-status decompose(quat_view<const double> q, axis a, factor_view<double> out, options o) noexcept {
+status decompose(const quat_view<const double>& q, axis a, const factor_view<double>& out,
+                 options o) noexcept {
     return compact<double>(q, a, out, o, sign_of(o));
 }
-status decompose(quat_view<const float> q, axis a, factor_view<float> out, scalar_view<float> signs,
-                 options o) noexcept {
+status decompose(const quat_view<const float>& q, axis a, const factor_view<float>& out,
+                 const scalar_view<float>& signs, options o) noexcept {
     return compact<float>(q, a, out, o, sign_kept, signs);
 }
-status decompose(quat_view<const double> q, axis a, factor_view<double> out, scalar_view<double> signs,
-                 options o) noexcept {
+status decompose(const quat_view<const double>& q, axis a, const factor_view<double>& out,
+                 const scalar_view<double>& signs, options o) noexcept {
     return compact<double>(q, a, out, o, sign_kept, signs);
 }
 

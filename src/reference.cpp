@@ -384,84 +384,92 @@ status compose_all(const factor_view<const T>& in, axis a, const quat_view<T>& q
 
 }  // namespace
 
-status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
-                 quat_view<float> twist, options o) noexcept {
+status decompose(const quat_view<const float>& q, const twist_axis<float>& a, const quat_view<float>& swing,
+                 const quat_view<float>& twist, options o) noexcept {
     return decompose_all<float>(q, a, swing, twist, o);
 }
-status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
-                 quat_view<double> twist, options o) noexcept {
+status decompose(const quat_view<const double>& q, const twist_axis<double>& a,
+                 const quat_view<double>& swing, const quat_view<double>& twist, options o) noexcept {
     return decompose_all<double>(q, a, swing, twist, o);
 }
-status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
-                 quat_view<float> twist, scalar_view<float> signs, options o) noexcept {
+status decompose(const quat_view<const float>& q, const twist_axis<float>& a, const quat_view<float>& swing,
+                 const quat_view<float>& twist, const scalar_view<float>& signs, options o) noexcept {
     return decompose_all<float>(q, a, swing, twist, o, signs);
 }
-status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
-                 quat_view<double> twist, scalar_view<double> signs, options o) noexcept {
+status decompose(const quat_view<const double>& q, const twist_axis<double>& a,
+                 const quat_view<double>& swing, const quat_view<double>& twist,
+                 const scalar_view<double>& signs, options o) noexcept {
     return decompose_all<double>(q, a, swing, twist, o, signs);
 }
-status decompose(quat_view<const float> q, axis a, factor_view<float> out, options o) noexcept {
+status decompose(const quat_view<const float>& q, axis a, const factor_view<float>& out, options o) noexcept {
     return decompose_all<float>(q, a, out, o);
 }
-status decompose(quat_view<const double> q, axis a, factor_view<double> out, options o) noexcept {
+status decompose(const quat_view<const double>& q, axis a, const factor_view<double>& out,
+                 options o) noexcept {
     return decompose_all<double>(q, a, out, o);
 }
-status decompose(quat_view<const float> q, axis a, factor_view<float> out, scalar_view<float> signs,
-                 options o) noexcept {
+status decompose(const quat_view<const float>& q, axis a, const factor_view<float>& out,
+                 const scalar_view<float>& signs, options o) noexcept {
     return decompose_all<float>(q, a, out, o, signs);
 }
-status decompose(quat_view<const double> q, axis a, factor_view<double> out, scalar_view<double> signs,
-                 options o) noexcept {
+status decompose(const quat_view<const double>& q, axis a, const factor_view<double>& out,
+                 const scalar_view<double>& signs, options o) noexcept {
     return decompose_all<double>(q, a, out, o, signs);
 }
-status twist(quat_view<const float> q, twist_axis<float> a, quat_view<float> out, options o) noexcept {
+status twist(const quat_view<const float>& q, const twist_axis<float>& a, const quat_view<float>& out,
+             options o) noexcept {
     return twist_all<float>(q, a, out, o);
 }
-status twist(quat_view<const double> q, twist_axis<double> a, quat_view<double> out, options o) noexcept {
+status twist(const quat_view<const double>& q, const twist_axis<double>& a, const quat_view<double>& out,
+             options o) noexcept {
     return twist_all<double>(q, a, out, o);
 }
-status swing(quat_view<const float> q, twist_axis<float> a, quat_view<float> out, options o) noexcept {
+status swing(const quat_view<const float>& q, const twist_axis<float>& a, const quat_view<float>& out,
+             options o) noexcept {
     return swing_all<float>(q, a, out, o);
 }
-status swing(quat_view<const double> q, twist_axis<double> a, quat_view<double> out, options o) noexcept {
+status swing(const quat_view<const double>& q, const twist_axis<double>& a, const quat_view<double>& out,
+             options o) noexcept {
     return swing_all<double>(q, a, out, o);
 }
-status twist_angle(quat_view<const float> q, twist_axis<float> a, scalar_view<float> radians,
-                   options o) noexcept {
+status twist_angle(const quat_view<const float>& q, const twist_axis<float>& a,
+                   const scalar_view<float>& radians, options o) noexcept {
     return twist_angle_all<float>(q, a, radians, o);
 }
-status twist_angle(quat_view<const double> q, twist_axis<double> a, scalar_view<double> radians,
-                   options o) noexcept {
+status twist_angle(const quat_view<const double>& q, const twist_axis<double>& a,
+                   const scalar_view<double>& radians, options o) noexcept {
     return twist_angle_all<double>(q, a, radians, o);
 }
-status compose(quat_view<const float> swing, quat_view<const float> twist, quat_view<float> q,
-               options o) noexcept {
+status compose(const quat_view<const float>& swing, const quat_view<const float>& twist,
+               const quat_view<float>& q, options o) noexcept {
     return compose_all<float>(swing, twist, q, o);
 }
-status compose(quat_view<const double> swing, quat_view<const double> twist, quat_view<double> q,
-               options o) noexcept {
+status compose(const quat_view<const double>& swing, const quat_view<const double>& twist,
+               const quat_view<double>& q, options o) noexcept {
     return compose_all<double>(swing, twist, q, o);
 }
-status compose(quat_view<const float> swing, quat_view<const float> twist, scalar_view<const float> signs,
-               quat_view<float> q, options o) noexcept {
+status compose(const quat_view<const float>& swing, const quat_view<const float>& twist,
+               const scalar_view<const float>& signs, const quat_view<float>& q, options o) noexcept {
     return compose_all<float>(swing, twist, q, o, signs);
 }
-status compose(quat_view<const double> swing, quat_view<const double> twist, scalar_view<const double> signs,
-               quat_view<double> q, options o) noexcept {
+status compose(const quat_view<const double>& swing, const quat_view<const double>& twist,
+               const scalar_view<const double>& signs, const quat_view<double>& q, options o) noexcept {
     return compose_all<double>(swing, twist, q, o, signs);
 }
-status compose(factor_view<const float> factors, axis a, quat_view<float> q, options o) noexcept {
+status compose(const factor_view<const float>& factors, axis a, const quat_view<float>& q,
+               options o) noexcept {
     return compose_all<float>(factors, a, q, o);
 }
-status compose(factor_view<const double> factors, axis a, quat_view<double> q, options o) noexcept {
+status compose(const factor_view<const double>& factors, axis a, const quat_view<double>& q,
+               options o) noexcept {
     return compose_all<double>(factors, a, q, o);
 }
-status compose(factor_view<const float> factors, axis a, scalar_view<const float> signs, quat_view<float> q,
-               options o) noexcept {
+status compose(const factor_view<const float>& factors, axis a, const scalar_view<const float>& signs,
+               const quat_view<float>& q, options o) noexcept {
     return compose_all<float>(factors, a, q, o, signs);
 }
-status compose(factor_view<const double> factors, axis a, scalar_view<const double> signs,
-               quat_view<double> q, options o) noexcept {
+status compose(const factor_view<const double>& factors, axis a, const scalar_view<const double>& signs,
+               const quat_view<double>& q, options o) noexcept {
     return compose_all<double>(factors, a, q, o, signs);
 }
 

@@ -16,10 +16,12 @@ status any_type(const quat_view<const T>& q, const twist_axis<T>& a, const quat_
 
 }  // namespace
 
-status twist(quat_view<const float> q, twist_axis<float> a, quat_view<float> out, options o) noexcept {
+status twist(const quat_view<const float>& q, const twist_axis<float>& a, const quat_view<float>& out,
+             options o) noexcept {
     return any_type<float>(q, a, out, o);
 }
-status twist(quat_view<const double> q, twist_axis<double> a, quat_view<double> out, options o) noexcept {
+status twist(const quat_view<const double>& q, const twist_axis<double>& a, const quat_view<double>& out,
+             options o) noexcept {
     return any_type<double>(q, a, out, o);
 }
 

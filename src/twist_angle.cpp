@@ -16,12 +16,12 @@ status any_type(const quat_view<const T>& q, const twist_axis<T>& a, const scala
 
 }  // namespace
 
-status twist_angle(quat_view<const float> q, twist_axis<float> a, scalar_view<float> radians,
-                   options o) noexcept {
+status twist_angle(const quat_view<const float>& q, const twist_axis<float>& a,
+                   const scalar_view<float>& radians, options o) noexcept {
     return any_type<float>(q, a, radians, o);
 }
-status twist_angle(quat_view<const double> q, twist_axis<double> a, scalar_view<double> radians,
-                   options o) noexcept {
+status twist_angle(const quat_view<const double>& q, const twist_axis<double>& a,
+                   const scalar_view<double>& radians, options o) noexcept {
     return any_type<double>(q, a, radians, o);
 }
 

@@ -2,8 +2,8 @@
 # Builds swivel and runs its tests. Installs what is missing on Debian 12, as root or with sudo.
 #
 # usage: tools/test.sh [CTEST-OPTION...]   with g++, optimised, warnings are errors
-#        tools/test.sh --matrix            with all compilers, checkers, processors and releases of xsimd; runs every
-#                                          step and lists at the end those that failed
+#        tools/test.sh --matrix [STEP]     with all compilers, checkers, processors and releases of xsimd (or the
+#                                          steps whose name contains STEP); lists at the end what failed
 #        tools/test.sh --help
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -21,6 +21,6 @@ run_tests() {
 
 case ${1-} in
     --help | -h) sed -n '2,/^set/{/^set/!s/^# \{0,1\}//p}' tools/test.sh ;;
-    --matrix) exec tools/test_matrix.sh ;;
+    --matrix) exec tools/test_matrix.sh "${@:2}" ;;
     *) run_tests "$@" ;;
 esac

@@ -1,13 +1,18 @@
 #!/usr/bin/env bash
-# The steps of `tools/test.sh --matrix`. Every step is run; the failed ones are listed at the end.
+# The steps of `tools/test.sh --matrix [STEP]`: all, or those whose name contains STEP. Every step is run; the failed
+# ones are listed at the end.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=build/matrix
 source tools/step.sh
 start=$SECONDS
+only=${1-}
 failed=()
 
-check() { step "$@" || failed+=("$1"); }
+check() {
+    [[ $1 == *"$only"* ]] || return 0
+    step "$@" || failed+=("$1")
+}
 
 compile_and_test() { # FOLDER CMAKE-OPTION...
     cmake -S . -B "$build/$1" -G Ninja -DSWIVEL_WERROR=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "${@:2}" &&
@@ -21,7 +26,7 @@ tidy() { run-clang-tidy -quiet -p $build/clang -j "$(nproc)" "$PWD/(src|tools|ke
 
 # An old processor: no illegal instruction, and the ISA that it can run is chosen. What does not depend on the ISA,
 # the files of clips, is left out.
-processor() { # CPU ISA
+processor() { # CPU ISA [TESTS-LEFT-OUT]
     local run="qemu-x86_64 -cpu $1" shards shard pids=() status=0
     $run $build/gcc/tools/swivel/swivel info >$build/info.txt || return
     cat $build/info.txt
@@ -29,7 +34,7 @@ processor() { # CPU ISA
     shards=$(nproc)
     for ((shard = 0; shard < shards; shard++)); do
         GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$shard \
-            $run $build/gcc/tests/swivel_tests --gtest_brief=1 --gtest_filter="-Bvh*:Clip*" &
+            $run $build/gcc/tests/swivel_tests --gtest_brief=1 --gtest_filter="-Bvh*:Clip*:${3-}" &
         pids+=($!)
     done
     for shard in "${pids[@]}"; do wait "$shard" || status=1; done
@@ -59,12 +64,15 @@ check "debug with sanitizers" compile_and_test sanitizers -DCMAKE_CXX_COMPILER=c
     -DCMAKE_CXX_FLAGS_DEBUG="-g -O1" -DCMAKE_CXX_FLAGS="$sanitize" -DSWIVEL_BUILD_FUZZ=ON
 check "fuzz BVH files for 60 s" fuzz
 check "x86-64 Nehalem" processor Nehalem sse2
-check "x86-64 Haswell" processor Haswell avx2
-check "x86-64 Haswell without XSAVE" processor Haswell,-xsave sse2
+# AVX2 is emulated at a hundredth of its speed. Left out: repetition in the large, SSE2 once more, and guard pages
+# after masked loads, where this emulator (7.2) wrongly reads the lanes that are masked off.
+large="*ManyBlocks*:*AtEveryLanePosition*"
+check "x86-64 Haswell" processor Haswell avx2 "$large:*/sse2:*TouchesNothingPastTheEnd*"
+check "x86-64 Haswell without XSAVE" processor Haswell,-xsave sse2 "$large"
 check "aarch64" compile_and_test aarch64 -DCMAKE_TOOLCHAIN_FILE=tools/cmake/aarch64.cmake -DSWIVEL_BUILD_TOOLS=OFF \
     -DSWIVEL_GTEST_SOURCE_DIR=/usr/src/googletest
 check "xsimd of Debian 13" newer_xsimd trixie
-step "xsimd of Debian unstable" newer_xsimd sid || echo "not counted: unstable changes from day to day"
+check "xsimd of Debian unstable" newer_xsimd sid
 
 printf '\n%d min %02d s\n' $(((SECONDS - start) / 60)) $(((SECONDS - start) % 60))
 if ((${#failed[@]})); then

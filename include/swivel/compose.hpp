@@ -24,21 +24,23 @@
 
 namespace swivel {
 
-status compose(quat_view<const float> swing, quat_view<const float> twist, quat_view<float> q,
-               options = {}) noexcept;
-status compose(quat_view<const double> swing, quat_view<const double> twist, quat_view<double> q,
-               options = {}) noexcept;
-status compose(quat_view<const float> swing, quat_view<const float> twist, scalar_view<const float> signs,
-               quat_view<float> q, options = {}) noexcept;
-status compose(quat_view<const double> swing, quat_view<const double> twist, scalar_view<const double> signs,
-               quat_view<double> q, options = {}) noexcept;
+status compose(const quat_view<const float>& swing, const quat_view<const float>& twist,
+               const quat_view<float>& q, options = {}) noexcept;
+status compose(const quat_view<const double>& swing, const quat_view<const double>& twist,
+               const quat_view<double>& q, options = {}) noexcept;
+status compose(const quat_view<const float>& swing, const quat_view<const float>& twist,
+               const scalar_view<const float>& signs, const quat_view<float>& q, options = {}) noexcept;
+status compose(const quat_view<const double>& swing, const quat_view<const double>& twist,
+               const scalar_view<const double>& signs, const quat_view<double>& q, options = {}) noexcept;
 
-status compose(factor_view<const float> factors, axis a, quat_view<float> q, options = {}) noexcept;
-status compose(factor_view<const double> factors, axis a, quat_view<double> q, options = {}) noexcept;
-status compose(factor_view<const float> factors, axis a, scalar_view<const float> signs, quat_view<float> q,
+status compose(const factor_view<const float>& factors, axis a, const quat_view<float>& q,
                options = {}) noexcept;
-status compose(factor_view<const double> factors, axis a, scalar_view<const double> signs,
-               quat_view<double> q, options = {}) noexcept;
+status compose(const factor_view<const double>& factors, axis a, const quat_view<double>& q,
+               options = {}) noexcept;
+status compose(const factor_view<const float>& factors, axis a, const scalar_view<const float>& signs,
+               const quat_view<float>& q, options = {}) noexcept;
+status compose(const factor_view<const double>& factors, axis a, const scalar_view<const double>& signs,
+               const quat_view<double>& q, options = {}) noexcept;
 
 }  // namespace swivel
 

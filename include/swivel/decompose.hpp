@@ -40,26 +40,29 @@
 namespace swivel {
 
 // Both factors as quaternions.
-status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
-                 quat_view<float> twist, options = {}) noexcept;
-status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
-                 quat_view<double> twist, options = {}) noexcept;
+status decompose(const quat_view<const float>& q, const twist_axis<float>& a, const quat_view<float>& swing,
+                 const quat_view<float>& twist, options = {}) noexcept;
+status decompose(const quat_view<const double>& q, const twist_axis<double>& a,
+                 const quat_view<double>& swing, const quat_view<double>& twist, options = {}) noexcept;
 
 // The same with options::positive_twist, and what was flipped kept: signs is -1 where the twist is that of
 // -q, and 1 elsewhere. compose() with the same signs restores q itself instead of the rotation. (The options have
 // no default here, so that {} in their place stays unambiguous above.)
-status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
-                 quat_view<float> twist, scalar_view<float> signs, options) noexcept;
-status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
-                 quat_view<double> twist, scalar_view<double> signs, options) noexcept;
+status decompose(const quat_view<const float>& q, const twist_axis<float>& a, const quat_view<float>& swing,
+                 const quat_view<float>& twist, const scalar_view<float>& signs, options) noexcept;
+status decompose(const quat_view<const double>& q, const twist_axis<double>& a,
+                 const quat_view<double>& swing, const quat_view<double>& twist,
+                 const scalar_view<double>& signs, options) noexcept;
 
 // The compact form about a coordinate axis: the five numbers that are not zero.
-status decompose(quat_view<const float> q, axis a, factor_view<float> out, options = {}) noexcept;
-status decompose(quat_view<const double> q, axis a, factor_view<double> out, options = {}) noexcept;
-status decompose(quat_view<const float> q, axis a, factor_view<float> out, scalar_view<float> signs,
-                 options) noexcept;
-status decompose(quat_view<const double> q, axis a, factor_view<double> out, scalar_view<double> signs,
-                 options) noexcept;
+status decompose(const quat_view<const float>& q, axis a, const factor_view<float>& out,
+                 options = {}) noexcept;
+status decompose(const quat_view<const double>& q, axis a, const factor_view<double>& out,
+                 options = {}) noexcept;
+status decompose(const quat_view<const float>& q, axis a, const factor_view<float>& out,
+                 const scalar_view<float>& signs, options) noexcept;
+status decompose(const quat_view<const double>& q, axis a, const factor_view<double>& out,
+                 const scalar_view<double>& signs, options) noexcept;
 
 }  // namespace swivel
 

@@ -12,48 +12,57 @@
 
 namespace swivel::reference {
 
-status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
-                 quat_view<float> twist, options = {}) noexcept;
-status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
-                 quat_view<double> twist, options = {}) noexcept;
-status decompose(quat_view<const float> q, twist_axis<float> a, quat_view<float> swing,
-                 quat_view<float> twist, scalar_view<float> signs, options) noexcept;
-status decompose(quat_view<const double> q, twist_axis<double> a, quat_view<double> swing,
-                 quat_view<double> twist, scalar_view<double> signs, options) noexcept;
+status decompose(const quat_view<const float>& q, const twist_axis<float>& a, const quat_view<float>& swing,
+                 const quat_view<float>& twist, options = {}) noexcept;
+status decompose(const quat_view<const double>& q, const twist_axis<double>& a,
+                 const quat_view<double>& swing, const quat_view<double>& twist, options = {}) noexcept;
+status decompose(const quat_view<const float>& q, const twist_axis<float>& a, const quat_view<float>& swing,
+                 const quat_view<float>& twist, const scalar_view<float>& signs, options) noexcept;
+status decompose(const quat_view<const double>& q, const twist_axis<double>& a,
+                 const quat_view<double>& swing, const quat_view<double>& twist,
+                 const scalar_view<double>& signs, options) noexcept;
 
-status decompose(quat_view<const float> q, axis a, factor_view<float> out, options = {}) noexcept;
-status decompose(quat_view<const double> q, axis a, factor_view<double> out, options = {}) noexcept;
-status decompose(quat_view<const float> q, axis a, factor_view<float> out, scalar_view<float> signs,
-                 options) noexcept;
-status decompose(quat_view<const double> q, axis a, factor_view<double> out, scalar_view<double> signs,
-                 options) noexcept;
+status decompose(const quat_view<const float>& q, axis a, const factor_view<float>& out,
+                 options = {}) noexcept;
+status decompose(const quat_view<const double>& q, axis a, const factor_view<double>& out,
+                 options = {}) noexcept;
+status decompose(const quat_view<const float>& q, axis a, const factor_view<float>& out,
+                 const scalar_view<float>& signs, options) noexcept;
+status decompose(const quat_view<const double>& q, axis a, const factor_view<double>& out,
+                 const scalar_view<double>& signs, options) noexcept;
 
-status twist(quat_view<const float> q, twist_axis<float> a, quat_view<float> out, options = {}) noexcept;
-status twist(quat_view<const double> q, twist_axis<double> a, quat_view<double> out, options = {}) noexcept;
+status twist(const quat_view<const float>& q, const twist_axis<float>& a, const quat_view<float>& out,
+             options = {}) noexcept;
+status twist(const quat_view<const double>& q, const twist_axis<double>& a, const quat_view<double>& out,
+             options = {}) noexcept;
 
-status swing(quat_view<const float> q, twist_axis<float> a, quat_view<float> out, options = {}) noexcept;
-status swing(quat_view<const double> q, twist_axis<double> a, quat_view<double> out, options = {}) noexcept;
+status swing(const quat_view<const float>& q, const twist_axis<float>& a, const quat_view<float>& out,
+             options = {}) noexcept;
+status swing(const quat_view<const double>& q, const twist_axis<double>& a, const quat_view<double>& out,
+             options = {}) noexcept;
 
-status twist_angle(quat_view<const float> q, twist_axis<float> a, scalar_view<float> radians,
-                   options = {}) noexcept;
-status twist_angle(quat_view<const double> q, twist_axis<double> a, scalar_view<double> radians,
-                   options = {}) noexcept;
+status twist_angle(const quat_view<const float>& q, const twist_axis<float>& a,
+                   const scalar_view<float>& radians, options = {}) noexcept;
+status twist_angle(const quat_view<const double>& q, const twist_axis<double>& a,
+                   const scalar_view<double>& radians, options = {}) noexcept;
 
-status compose(quat_view<const float> swing, quat_view<const float> twist, quat_view<float> q,
+status compose(const quat_view<const float>& swing, const quat_view<const float>& twist,
+               const quat_view<float>& q, options = {}) noexcept;
+status compose(const quat_view<const double>& swing, const quat_view<const double>& twist,
+               const quat_view<double>& q, options = {}) noexcept;
+status compose(const quat_view<const float>& swing, const quat_view<const float>& twist,
+               const scalar_view<const float>& signs, const quat_view<float>& q, options = {}) noexcept;
+status compose(const quat_view<const double>& swing, const quat_view<const double>& twist,
+               const scalar_view<const double>& signs, const quat_view<double>& q, options = {}) noexcept;
+
+status compose(const factor_view<const float>& factors, axis a, const quat_view<float>& q,
                options = {}) noexcept;
-status compose(quat_view<const double> swing, quat_view<const double> twist, quat_view<double> q,
+status compose(const factor_view<const double>& factors, axis a, const quat_view<double>& q,
                options = {}) noexcept;
-status compose(quat_view<const float> swing, quat_view<const float> twist, scalar_view<const float> signs,
-               quat_view<float> q, options = {}) noexcept;
-status compose(quat_view<const double> swing, quat_view<const double> twist, scalar_view<const double> signs,
-               quat_view<double> q, options = {}) noexcept;
-
-status compose(factor_view<const float> factors, axis a, quat_view<float> q, options = {}) noexcept;
-status compose(factor_view<const double> factors, axis a, quat_view<double> q, options = {}) noexcept;
-status compose(factor_view<const float> factors, axis a, scalar_view<const float> signs, quat_view<float> q,
-               options = {}) noexcept;
-status compose(factor_view<const double> factors, axis a, scalar_view<const double> signs,
-               quat_view<double> q, options = {}) noexcept;
+status compose(const factor_view<const float>& factors, axis a, const scalar_view<const float>& signs,
+               const quat_view<float>& q, options = {}) noexcept;
+status compose(const factor_view<const double>& factors, axis a, const scalar_view<const double>& signs,
+               const quat_view<double>& q, options = {}) noexcept;
 
 }  // namespace swivel::reference
 

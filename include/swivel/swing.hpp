@@ -20,8 +20,10 @@
 
 namespace swivel {
 
-status swing(quat_view<const float> q, twist_axis<float> a, quat_view<float> out, options = {}) noexcept;
-status swing(quat_view<const double> q, twist_axis<double> a, quat_view<double> out, options = {}) noexcept;
+status swing(const quat_view<const float>& q, const twist_axis<float>& a, const quat_view<float>& out,
+             options = {}) noexcept;
+status swing(const quat_view<const double>& q, const twist_axis<double>& a, const quat_view<double>& out,
+             options = {}) noexcept;
 
 }  // namespace swivel
 

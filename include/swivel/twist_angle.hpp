@@ -23,10 +23,10 @@
 
 namespace swivel {
 
-status twist_angle(quat_view<const float> q, twist_axis<float> a, scalar_view<float> radians,
-                   options = {}) noexcept;
-status twist_angle(quat_view<const double> q, twist_axis<double> a, scalar_view<double> radians,
-                   options = {}) noexcept;
+status twist_angle(const quat_view<const float>& q, const twist_axis<float>& a,
+                   const scalar_view<float>& radians, options = {}) noexcept;
+status twist_angle(const quat_view<const double>& q, const twist_axis<double>& a,
+                   const scalar_view<double>& radians, options = {}) noexcept;
 
 }  // namespace swivel
 
