@@ -9,10 +9,9 @@ start=$SECONDS
 only=${1-}
 failed=()
 
-check() {
-    [[ $1 == *"$only"* ]] || return 0
-    step "$@" || failed+=("$1")
-}
+left_out() { [[ $1 != *"$only"* ]]; }
+check() { left_out "$1" || step "$@" || failed+=("$1"); }
+tell() { left_out "$1" || step "$@" || echo "not counted: what is unstable changes from day to day"; }
 
 compile_and_test() { # FOLDER CMAKE-OPTION...
     cmake -S . -B "$build/$1" -G Ninja -DSWIVEL_WERROR=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "${@:2}" &&
@@ -72,7 +71,7 @@ check "x86-64 Haswell without XSAVE" processor Haswell,-xsave sse2 "$large"
 check "aarch64" compile_and_test aarch64 -DCMAKE_TOOLCHAIN_FILE=tools/cmake/aarch64.cmake -DSWIVEL_BUILD_TOOLS=OFF \
     -DSWIVEL_GTEST_SOURCE_DIR=/usr/src/googletest
 check "xsimd of Debian 13" newer_xsimd trixie
-check "xsimd of Debian unstable" newer_xsimd sid
+tell "xsimd of Debian unstable" newer_xsimd sid
 
 printf '\n%d min %02d s\n' $(((SECONDS - start) / 60)) $(((SECONDS - start) % 60))
 if ((${#failed[@]})); then
