@@ -19,6 +19,14 @@ using scalar_of = typename V::value_type;
 template <class V>
 using mask_of = typename V::batch_bool_type;
 
+// Whether there are registers enough to work on three elements' worth of streams at a time. (NEON has them too; it was
+// not measured there.)
+#if defined(__AVX512F__)
+inline constexpr bool has_32_registers = true;
+#else
+inline constexpr bool has_32_registers = false;
+#endif
+
 #if defined(__AVX512F__)
 
 // xsimd 8.1.0 does not fuse here, and has no rsqrt.

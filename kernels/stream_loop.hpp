@@ -45,54 +45,85 @@ void array_loop(const batch<scalar_of<V>>& b, std::index_sequence<I...>, std::in
     (from[GI].begin(b.in_array[GI]), ...);
     (to[GO].begin(b.out_array[GO]), ...);
 
-    const auto at_element = [&]<bool Whole>(std::size_t i, std::size_t count, std::bool_constant<Whole>)
+    const auto read = [&]<bool Whole>(std::size_t i, std::size_t count, V * in, std::bool_constant<Whole>)
         __attribute__((always_inline)) {
         [[maybe_unused]] const auto load = [&](const T* stream) __attribute__((always_inline)) {
             return Whole ? V::load_unaligned(stream + i) : load_first<V>(stream + i, count);
         };
+        [[maybe_unused]] const auto group = [&](auto& array, const T* const* stream, V* four)
+            __attribute__((always_inline)) {
+            if (array.at == nullptr) {
+                four[0] = load(stream[0]);
+                four[1] = load(stream[1]);
+                four[2] = load(stream[2]);
+                four[3] = load(stream[3]);
+                return;
+            }
+            for (std::size_t k = 0; k < 4 * V::size && !Whole; ++k)
+                array.rest[k] = k < 4 * count ? array.at[4 * i + k] : T(1);
+            array.shuffle.load(Whole ? array.at + 4 * i : array.rest, four);
+        };
+        (group(from[GI], b.in + 4 * GI, in + 4 * GI), ...);
+        ((I < 4 * sizeof...(GI) ? void() : void(in[I] = load(b.in[I]))), ...);
+    };
+    const auto write = [&]<bool Whole>(std::size_t i, std::size_t count, const V* out,
+                                       std::bool_constant<Whole>) __attribute__((always_inline)) {
         [[maybe_unused]] const auto store = [&](V result, T * stream) __attribute__((always_inline)) {
             if constexpr (Whole)
                 result.store_unaligned(stream + i);
             else
                 store_first(result, stream + i, count);
         };
-        [[maybe_unused]] const auto read = [&](auto& array, const T* const* stream, V* in)
+        [[maybe_unused]] const auto group = [&](auto& array, T* const* stream, const V* four)
             __attribute__((always_inline)) {
             if (array.at == nullptr) {
-                in[0] = load(stream[0]);
-                in[1] = load(stream[1]);
-                in[2] = load(stream[2]);
-                in[3] = load(stream[3]);
+                store(four[0], stream[0]);
+                store(four[1], stream[1]);
+                store(four[2], stream[2]);
+                store(four[3], stream[3]);
                 return;
             }
-            for (std::size_t k = 0; k < 4 * V::size && !Whole; ++k)
-                array.rest[k] = k < 4 * count ? array.at[4 * i + k] : T(1);
-            array.shuffle.load(Whole ? array.at + 4 * i : array.rest, in);
-        };
-        [[maybe_unused]] const auto write = [&](auto& array, T* const* stream, const V* result)
-            __attribute__((always_inline)) {
-            if (array.at == nullptr) {
-                store(result[0], stream[0]);
-                store(result[1], stream[1]);
-                store(result[2], stream[2]);
-                store(result[3], stream[3]);
-                return;
-            }
-            array.shuffle.store(result, Whole ? array.at + 4 * i : array.rest);
+            array.shuffle.store(four, Whole ? array.at + 4 * i : array.rest);
             for (std::size_t k = 0; k < 4 * count && !Whole; ++k) array.at[4 * i + k] = array.rest[k];
         };
-
-        V in[Op::inputs], out[Op::outputs];
-        (read(from[GI], b.in + 4 * GI, in + 4 * GI), ...);
-        ((I < 4 * sizeof...(GI) ? void() : void(in[I] = load(b.in[I]))), ...);
-        op(in, out);
-        (write(to[GO], b.out + 4 * GO, out + 4 * GO), ...);
+        (group(to[GO], b.out + 4 * GO, out + 4 * GO), ...);
         ((O < 4 * sizeof...(GO) ? void() : store(out[O], b.out[O])), ...);
     };
+    constexpr std::true_type whole;
 
+    const std::size_t size = b.size;
     std::size_t i = 0;
-    for (; i + V::size <= b.size; i += V::size) at_element(i, V::size, std::true_type());
-    if (i < b.size) at_element(i, b.size - i, std::false_type());
+    if constexpr (has_32_registers) {
+        // Three stages, each a register behind the one before it: what a stage needs has long been there, so that
+        // the processor's window does not fill up with instructions that wait.
+        if (size >= V::size) {
+            const std::size_t last = size - size % V::size - V::size;
+            V current[Op::inputs], done[Op::outputs];
+            read(0, V::size, current, whole);
+            for (; i <= last; i += V::size) {
+                V next[Op::inputs], out[Op::outputs];
+                read(i == last ? last : i + V::size, V::size, next, whole);
+                op(current, out);
+                if (i != 0) write(i - V::size, V::size, done, whole);
+                ((current[I] = next[I]), ...);
+                ((done[O] = out[O]), ...);
+            }
+            write(last, V::size, done, whole);
+        }
+    } else {
+        for (; i + V::size <= size; i += V::size) {
+            V in[Op::inputs], out[Op::outputs];
+            read(i, V::size, in, whole);
+            op(in, out);
+            write(i, V::size, out, whole);
+        }
+    }
+    if (i < size) {
+        V in[Op::inputs], out[Op::outputs];
+        read(i, size - i, in, std::false_type());
+        op(in, out);
+        write(i, size - i, out, std::false_type());
+    }
 }
 
 template <class V, class Op, std::size_t... I, std::size_t... O>
