@@ -3,11 +3,19 @@
 
 // Quaternion arithmetic for judging results: in double for float, and in quadruple precision for double.
 
+#include <cfloat>
 #include <cmath>
 
 #include "swivel/types.hpp"
 
 namespace swivel::tests {
+
+#ifdef __SIZEOF_FLOAT128__
+using quadruple = __float128;
+#else
+using quadruple = long double;
+static_assert(LDBL_MANT_DIG == 113);
+#endif
 
 template <class T>
 struct wider;
@@ -17,7 +25,7 @@ struct wider<float> {
 };
 template <>
 struct wider<double> {
-    using type = __float128;
+    using type = quadruple;
 };
 template <class T>
 using wide = typename wider<T>::type;
@@ -35,13 +43,13 @@ vec3<W> widen(const vec3<T>& v) {
 inline double root(double a) { return std::sqrt(a); }
 
 // From the double root, which has 53 bits, by one step of Newton's method.
-inline __float128 root(__float128 a) {
+inline quadruple root(quadruple a) {
     if (a == 0) return 0;
     // Brought near 1, so that the double neither overflows nor underflows.
-    __float128 scale = 1;
+    quadruple scale = 1;
     while (a > 4) a /= 4, scale *= 2;
     while (a < 1) a *= 4, scale /= 2;
-    __float128 r = std::sqrt(static_cast<double>(a));
+    quadruple r = std::sqrt(static_cast<double>(a));
     r = (r + a / r) / 2;
     r = (r + a / r) / 2;
     return r * scale;
