@@ -23,7 +23,7 @@ if(kind STREQUAL "pkg_config")
     endif()
     file(MAKE_DIRECTORY ${binary})
     set(ENV{PKG_CONFIG_LIBDIR} ${prefix}/${libdir}/pkgconfig)
-    execute_process(COMMAND ${pkg_config} --define-variable=prefix=${prefix} --cflags --libs swivel
+    execute_process(COMMAND ${pkg_config} --cflags --libs swivel
         OUTPUT_VARIABLE package_flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
     check_command("${package_flags}")
     separate_arguments(package_flags UNIX_COMMAND "${package_flags}")
