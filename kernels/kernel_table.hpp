@@ -57,6 +57,7 @@ struct kernel_table {
 
 // One table for each ISA that the build contains; defined in isa/<isa>.cpp, listed in src/isa.cpp.
 extern const kernel_table sse2_kernels;
+extern const kernel_table sse4_kernels;
 extern const kernel_table avx2_kernels;
 extern const kernel_table avx512_kernels;
 extern const kernel_table neon64_kernels;

@@ -24,6 +24,11 @@ constexpr const kernel_table* sse2_table = &sse2_kernels;
 #else
 constexpr const kernel_table* sse2_table = nullptr;
 #endif
+#ifdef SWIVEL_HAS_SSE4
+constexpr const kernel_table* sse4_table = &sse4_kernels;
+#else
+constexpr const kernel_table* sse4_table = nullptr;
+#endif
 #ifdef SWIVEL_HAS_AVX2
 constexpr const kernel_table* avx2_table = &avx2_kernels;
 #else
@@ -42,9 +47,8 @@ constexpr const kernel_table* neon64_table = nullptr;
 
 // Best first.
 constexpr row rows[] = {
-    {isa::avx512, "avx512", avx512_table, cpu_has_avx512},
-    {isa::avx2, "avx2", avx2_table, cpu_has_avx2_fma},
-    {isa::sse2, "sse2", sse2_table, always},
+    {isa::avx512, "avx512", avx512_table, cpu_has_avx512}, {isa::avx2, "avx2", avx2_table, cpu_has_avx2_fma},
+    {isa::sse4, "sse4", sse4_table, cpu_has_sse4_1},       {isa::sse2, "sse2", sse2_table, always},
     {isa::neon64, "neon64", neon64_table, always},
 };
 

@@ -3,6 +3,7 @@
 
 set(swivel_isa_rows
     "sse2|x86_64|-msse2"
+    "sse4|x86_64|-msse4.1"
     "avx2|x86_64|-mavx2 -mfma"
     "avx512|x86_64|-mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx512vl -mfma"
     "neon64|aarch64|")
