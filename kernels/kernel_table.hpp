@@ -19,10 +19,12 @@ struct quaternion_array {
 // One call of a kernel: contiguous streams of equal size, and a few numbers that are the same for all
 // elements. Which stream is which, and which numbers, is said where the kernel is defined. The streams of
 // leading quaternions may be in arrays instead.
+inline constexpr int most_inputs = 16, most_outputs = 9;
+
 template <class T>
 struct batch {
-    const T* in[9];
-    T* out[9];
+    const T* in[most_inputs];
+    T* out[most_outputs];
     T uniform[5];
     std::size_t size;
     bool has_arrays = false;

@@ -27,6 +27,7 @@ inline constexpr component_order uniform_orders[2] = {{uniform_index, {0, 1, 2, 
 inline constexpr component_order per_element_orders[2] = {{per_element_index, {0, 1, 2, 3}},
                                                           {per_element_index, {1, 0, 2, 3}}};
 inline constexpr component_order as_it_is{uniform_index, {0, 1, 2, 3}};
+inline constexpr std::uint8_t in_order[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
 // s1 and s2 are exchanged with B and C.
 inline constexpr std::uint8_t factor_places[2][5] = {{0, 1, 2, 3, 4}, {1, 0, 2, 3, 4}};
 
@@ -42,18 +43,30 @@ const component_order& order_for(const twist_axis<T>& a, product p) noexcept {
 }
 
 template <class T>
-stream_group<T, 4> group_of(const quat_view<T>& v, const component_order& order) noexcept {
+stream_group<T, 4> group_of(const quat_view<T>& v, const component_order& order = as_it_is) noexcept {
     return {{v.x, v.y, v.z, v.w}, v.size, v.stride, order.place};
 }
 
 template <class T>
-stream_group<T, 3> group_of(const vec3_view<T>& v, const component_order& order) noexcept {
+stream_group<T, 3> group_of(const vec3_view<T>& v, const component_order& order = as_it_is) noexcept {
     return {{v.x, v.y, v.z}, v.size, v.stride, order.place};
 }
 
 template <class T>
 stream_group<T, 1> group_of(const scalar_view<T>& v) noexcept {
-    return {{v.data}, v.size, v.stride, as_it_is.place};
+    return {{v.data}, v.size, v.stride, in_order};
+}
+
+template <class T>
+stream_group<T, 9> group_of(const matrix_view<T>& m) noexcept {
+    return {{m.xx, m.xy, m.xz, m.yx, m.yy, m.yz, m.zx, m.zy, m.zz}, m.size, m.stride, in_order};
+}
+
+// One number for all is read over and over. The parameter must outlive the group.
+template <class T>
+stream_group<const T, 1> group_of(const parameter<T>& t, std::size_t size) noexcept {
+    if (t.is_per_element) return group_of(t.per_element);
+    return {{&t.for_all}, size, 0, in_order};
 }
 
 template <class T>
@@ -64,6 +77,7 @@ stream_group<T, 5> group_of(const factor_view<T>& v, product p) noexcept {
 inline status check(const options& o) noexcept {
     if (o.order != product::swing_twist && o.order != product::twist_swing) return status::bad_argument;
     if (o.accuracy != precision::fast && o.accuracy != precision::reproducible) return status::bad_argument;
+    if (o.axis_frame > frame::body || o.motion > flavour::nlerp) return status::bad_argument;
     if (o.pole_threshold == default_pole_threshold) return status::ok;
     return o.pole_threshold >= 0 && o.pole_threshold <= 1 ? status::ok : status::bad_argument;
 }
@@ -89,7 +103,7 @@ status set_numbers(batch<T>& b, const component_order& order, const twist_axis<T
     if (a.kind == twist_axis<T>::form::coordinate) return check(a.coordinate);
     if (a.kind == twist_axis<T>::form::uniform) {
         unit_axis<T> unit;
-        if (!normalize(a.uniform, unit)) return status::bad_argument;
+        if (!make_unit(a.uniform, unit)) return status::bad_argument;
         b.uniform[1 + order.place[0]] = unit.x;
         b.uniform[1 + order.place[1]] = unit.y;
         b.uniform[1 + order.place[2]] = unit.z;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <tuple>
 
+#include "../kernels/kernel_table.hpp"
 #include "swivel/types.hpp"
 
 namespace swivel {
@@ -23,7 +24,7 @@ struct stream_group {
 // The streams in the order of the kernel, and their number as a value.
 template <class T>
 struct any_group {
-    T* stream[5];
+    T* stream[most_outputs];
     int count;
     std::size_t size;
     std::ptrdiff_t stride;
@@ -39,7 +40,7 @@ struct any_group {
 // All streams of a call.
 template <class T>
 struct call_streams {
-    static constexpr int most = 3;
+    static constexpr int most = 5;
     any_group<const T> in[most];
     any_group<T> out[most];
     int inputs = 0, outputs = 0;

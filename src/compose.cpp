@@ -15,9 +15,9 @@ status full(const quat_view<const T>& swing, const quat_view<const T>& twist, co
     return run(
         active_operations<T>().compose[sizeof...(signs)][index_of(o.accuracy)],
         [&](batch<T>&) { return check(o); },
-        std::tuple(group_of(swing_left ? swing : twist, as_it_is),
-                   group_of(swing_left ? twist : swing, as_it_is), group_of(signs)...),
-        std::tuple(group_of(q, as_it_is)));
+        std::tuple(group_of(swing_left ? swing : twist),
+                   group_of(swing_left ? twist : swing), group_of(signs)...),
+        std::tuple(group_of(q)));
 }
 
 template <class T, class... Signs>

@@ -4,15 +4,20 @@ namespace swivel {
 
 namespace {
 
-// The streams that are neither contiguous nor in an array of quaternions are staged in blocks; twelve of them
-// fit in half of a 32 KiB first-level cache.
+// The streams that are neither contiguous nor in an array of quaternions are staged in blocks; thirty of them
+// fit in a first-level cache of 32 KiB.
 template <class T>
 constexpr std::size_t block_size = 1024 / sizeof(T);
 
 template <class T>
-struct block {
-    alignas(64) T stream[5][block_size<T>];
-};
+void gather(const T* from, std::ptrdiff_t stride, std::size_t count, T* block) noexcept {
+    for (std::size_t e = 0; e < count; ++e) block[e] = from[static_cast<std::ptrdiff_t>(e) * stride];
+}
+
+template <class T>
+void scatter(const T* block, std::size_t count, T* to, std::ptrdiff_t stride) noexcept {
+    for (std::size_t e = 0; e < count; ++e) to[static_cast<std::ptrdiff_t>(e) * stride] = block[e];
+}
 
 // Finds out where the components of the group lie in an array of quaternions, if it is one.
 template <class T>
@@ -37,7 +42,7 @@ bool is_quaternion_array(const any_group<T>& g, quaternion_array<T>& array) noex
 
 template <class T>
 void run_any(kernel<T> run_kernel, const call_streams<T>& s, batch<T>& b) noexcept {
-    block<T> in_block[call_streams<T>::most], out_block[call_streams<T>::most];
+    alignas(64) T in_block[most_inputs][block_size<T>], out_block[most_outputs][block_size<T>];
     bool in_staged[call_streams<T>::most], out_staged[call_streams<T>::most];
     bool any_staged = false;
     for (quaternion_array<const T>& a : b.in_array) a.first = nullptr;
@@ -60,31 +65,31 @@ void run_any(kernel<T> run_kernel, const call_streams<T>& s, batch<T>& b) noexce
         const auto at = static_cast<std::ptrdiff_t>(done);
         b.size = s.size - done < most ? s.size - done : most;
 
-        const T** in = b.in;
+        int stream = 0;
         for (int i = 0; i < s.inputs; ++i) {
             const any_group<const T>& g = s.in[i];
-            for (int k = 0; k < g.count; ++k) {
+            for (int k = 0; k < g.count; ++k, ++stream) {
                 const T* from = g.stream[k] + at * g.stride;
-                *in++ = in_staged[i] ? in_block[i].stream[k] : from;
-                if (!in_staged[i]) continue;
-                for (std::size_t e = 0; e < b.size; ++e)
-                    in_block[i].stream[k][e] = from[static_cast<std::ptrdiff_t>(e) * g.stride];
+                b.in[stream] = in_staged[i] ? in_block[stream] : from;
+                // One element for all is the same in every block.
+                if (in_staged[i] && (g.stride != 0 || done == 0))
+                    gather(from, g.stride, b.size, in_block[stream]);
             }
         }
-        T** out = b.out;
-        for (int i = 0; i < s.outputs; ++i)
-            for (int k = 0; k < s.out[i].count; ++k)
-                *out++ = out_staged[i] ? out_block[i].stream[k] : s.out[i].stream[k] + at * s.out[i].stride;
+        stream = 0;
+        for (int i = 0; i < s.outputs; ++i) {
+            const any_group<T>& g = s.out[i];
+            for (int k = 0; k < g.count; ++k, ++stream)
+                b.out[stream] = out_staged[i] ? out_block[stream] : g.stream[k] + at * g.stride;
+        }
 
         run_kernel(b);
 
+        stream = 0;
         for (int i = 0; i < s.outputs; ++i) {
             const any_group<T>& g = s.out[i];
-            for (int k = 0; k < g.count && out_staged[i]; ++k) {
-                T* to = g.stream[k] + at * g.stride;
-                for (std::size_t e = 0; e < b.size; ++e)
-                    to[static_cast<std::ptrdiff_t>(e) * g.stride] = out_block[i].stream[k][e];
-            }
+            for (int k = 0; k < g.count; ++k, ++stream)
+                if (out_staged[i]) scatter(out_block[stream], b.size, g.stream[k] + at * g.stride, g.stride);
         }
         for (quaternion_array<const T>& a : b.in_array)
             if (a.first != nullptr) a.first += 4 * b.size;

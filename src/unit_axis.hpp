@@ -18,7 +18,7 @@ struct unit_axis {
 // into every norm, so it is right to half a unit in the last place, and the rest is known. swivel::reference
 // uses this too: the axis is an argument, not a result.
 
-inline bool normalize(const vec3<float>& v, unit_axis<float>& unit) noexcept {
+inline bool make_unit(const vec3<float>& v, unit_axis<float>& unit) noexcept {
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return false;
     double x = v.x, y = v.y, z = v.z;
     const double squared = (x * x + y * y) + z * z;
@@ -47,7 +47,7 @@ inline double excess_over_unit(double x, double y, double z) noexcept {
     return (((xh * xh - 1) + yh * yh) + zh * zh) + rest;
 }
 
-inline bool normalize(const vec3<double>& v, unit_axis<double>& unit) noexcept {
+inline bool make_unit(const vec3<double>& v, unit_axis<double>& unit) noexcept {
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return false;
     double x = v.x, y = v.y, z = v.z;
     const double largest = std::fmax(std::fmax(std::fabs(x), std::fabs(y)), std::fabs(z));

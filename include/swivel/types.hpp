@@ -118,6 +118,19 @@ struct scalar_view {
     }
 };
 
+// Matrices of 3 rows and 3 columns that turn column vectors, v' = M v; xy is row x, column y. An array of matrices
+// stored by rows has adjacent pointers and stride 9; stored by columns, the pointers are exchanged.
+template <class T>
+struct matrix_view {
+    T *xx, *xy, *xz, *yx, *yy, *yz, *zx, *zy, *zz;
+    std::size_t size;
+    std::ptrdiff_t stride = 1;
+
+    constexpr operator matrix_view<const T>() const noexcept requires(!std::is_const_v<T>) {
+        return {xx, xy, xz, yx, yy, yz, zx, zy, zz, size, stride};
+    }
+};
+
 template <class T>
 struct factor_view {
     T *s1, *s2, *sc, *ts, *tc;
@@ -161,6 +174,32 @@ constexpr vec3_view<T> aos_xyz(T* first, std::size_t n) noexcept {
     return {first, first + 1, first + 2, n, 3};
 }
 
+// n matrices one after the other, row by row or column by column (glTF, OpenGL, Unity).
+template <class T>
+constexpr matrix_view<T> aos_rows(T* p, std::size_t n) noexcept {
+    if (p == nullptr)
+        return {nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, n, 9};
+    return {p, p + 1, p + 2, p + 3, p + 4, p + 5, p + 6, p + 7, p + 8, n, 9};
+}
+template <class T>
+constexpr matrix_view<T> aos_columns(T* p, std::size_t n) noexcept {
+    if (p == nullptr)
+        return {nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, n, 9};
+    return {p, p + 3, p + 6, p + 1, p + 4, p + 7, p + 2, p + 5, p + 8, n, 9};
+}
+
+// The parameter of an interpolation or a power: one number for all elements, or one for each.
+template <class T>
+struct parameter {
+    constexpr parameter(T t) noexcept : for_all{t} {}
+    constexpr parameter(const scalar_view<const T>& t) noexcept : is_per_element{true}, per_element(t) {}
+    constexpr parameter(const scalar_view<T>& t) noexcept : is_per_element{true}, per_element(t) {}
+
+    bool is_per_element = false;
+    T for_all{};
+    scalar_view<const T> per_element{};
+};
+
 // The axis of a twist: a coordinate axis, one vector for all elements, or one vector for each element.
 // Vectors may have any length that is not zero; only their direction counts. A zero or non-finite vector for
 // all elements is a bad_argument. Among vectors per element a zero one gives the twist (0, 0, 0, sgn w) and a
@@ -183,6 +222,14 @@ struct twist_axis {
 // options::pole_threshold: eps^2 of the element type, 2^-48 for float and 2^-106 for double.
 inline constexpr double default_pole_threshold = -1.0;
 
+// Where the twist axis of sterp is given: in the world at the first of the two rotations, or in the body that they turn.
+enum class frame : std::uint8_t { world, body };
+
+// How sterp moves swing and twist: at constant speed, or as the normalised mean of their ends, which is quicker to
+// compute and slower to move at both ends.
+enum class flavour : std::uint8_t { slerp, nlerp };
+
+// Each operation looks at those that its header names.
 struct options {
     product order = product::swing_twist;
     precision accuracy = precision::fast;
@@ -196,6 +243,11 @@ struct options {
     // replaces twists whose angle is known only to about 2^-23 / h radians, and moves S T away from q by at
     // most h |q|.
     double pole_threshold = default_pole_threshold;
+
+    // Of an interpolation: by way of the further of b and -b, the turn of more than 180 degrees.
+    bool long_way = false;
+    frame axis_frame = frame::world;
+    flavour motion = flavour::slerp;
 };
 
 }  // namespace swivel

@@ -1,12 +1,8 @@
+#include "elements.hpp"
+#include "scalar.hpp"
 #include "swivel/reference.hpp"
 
-#include <cmath>
-#include <limits>
-
-#include "arguments.hpp"
-
-// One element at a time, the axis and the product spelled out. The order of additions is part of the
-// contract, since precision::reproducible promises the same bits; contraction is off for the whole library.
+// decompose, twist, swing, twist_angle and compose, one element at a time, the axis and the product spelled out.
 
 namespace swivel::reference {
 
@@ -81,11 +77,6 @@ factors<T> factors_about(axis a, const quat<T>& q, const half_twist<T>& h, produ
     return {tc * B + ts * C, tc * C - ts * B, sc, ts, tc};
 }
 
-template <class T>
-vec3<T> cross(const vec3<T>& l, const vec3<T>& r) {
-    return {l.y * r.z - l.z * r.y, l.z * r.x - l.x * r.z, l.x * r.y - l.y * r.x};
-}
-
 // The rounding of a uniform axis is known and is taken out of w^2 + (a.v)^2, so that |T| does not have it.
 template <class T>
 half_twist<T> half_twist_about(const unit_axis<T>& a, const quat<T>& q, T threshold) {
@@ -133,66 +124,6 @@ quat<T> twist_about(axis a, const quat<T>& q, const half_twist<T>& h) {
     return from<T>(a, {h.sine, zero_or_nan(a, q), zero_or_nan(a, q), h.cosine});
 }
 
-// The axis of one element to unit length, by way of a power of two that keeps the squares in range. What
-// rounding left over is not known here.
-template <class T>
-unit_axis<T> normalized(const vec3<T>& v) {
-    T largest = std::fabs(v.x) > std::fabs(v.y) ? std::fabs(v.x) : std::fabs(v.y);
-    largest = largest > std::fabs(v.z) ? largest : std::fabs(v.z);
-    T scale = 0;
-    if (std::isfinite(largest)) {
-        int exponent;
-        std::frexp(largest, &exponent);
-        const int most = std::numeric_limits<T>::max_exponent - 1;
-        scale = std::ldexp(T(1), 2 - exponent < most ? 2 - exponent : most);
-    }
-    const vec3<T> s{scale * v.x, scale * v.y, scale * v.z};
-    const T squared = (s.x * s.x + s.y * s.y) + s.z * s.z;
-    const T root = std::sqrt(constants<T>::pole_floor > squared ? constants<T>::pole_floor : squared);
-    return {s.x / root, s.y / root, s.z / root, 0};
-}
-
-template <class T>
-T atan2_of(T y, T x) {
-    using C = constants<T>;
-    const T ax = std::fabs(x), ay = std::fabs(y);
-    const bool steep = ay > ax;
-    const T small = steep ? ax : ay, large = steep ? ay : ax;
-    const bool turned = small > C::tan_eighth_pi * large;
-    const T z = turned ? (small - large) / (small + large) : small / large;
-
-    const T s = z * z;
-    T p = 0;
-    for (auto c = std::end(C::atan); c != std::begin(C::atan);) p = p * s + *--c;
-    T rest = (z * s) * p + z;
-
-    T eighths = turned ? T(1) : T(0);
-    if (steep) {
-        eighths = 2 - eighths;
-        rest = 0 - rest;
-    }
-    if (std::signbit(x)) {
-        eighths = 4 - eighths;
-        rest = 0 - rest;
-    }
-    const T angle = eighths * C::quarter_pi + (eighths * C::quarter_pi_rest + rest);
-    return std::signbit(y) ? -angle : angle;
-}
-
-// A NaN for an infinity, everything else as it is.
-template <class T>
-T finite_or_nan(T a) {
-    return T(0) * a + a;
-}
-
-template <class T>
-quat<T> multiply(const quat<T>& l, const quat<T>& r) {
-    return {finite_or_nan(((l.w * r.x + l.x * r.w) + l.y * r.z) - l.z * r.y),
-            finite_or_nan(((l.w * r.y + l.y * r.w) + l.z * r.x) - l.x * r.z),
-            finite_or_nan(((l.w * r.z + l.z * r.w) + l.x * r.y) - l.y * r.x),
-            finite_or_nan(((l.w * r.w - l.x * r.x) - l.y * r.y) - l.z * r.z)};
-}
-
 template <class T>
 quat<T> compose_about(axis a, const factors<T>& f, product order) {
     const T zero = T(0) * (f.s1 + f.s2) + (T(0) * f.sc + (T(0) * f.ts + T(0) * f.tc));
@@ -202,53 +133,10 @@ quat<T> compose_about(axis a, const factors<T>& f, product order) {
     return from<T>(a, {A, (f.s1 * f.tc - f.s2 * f.ts) + zero, (f.s2 * f.tc + f.s1 * f.ts) + zero, w});
 }
 
-// Elements of views.
-
-template <class T>
-T* element(T* first, std::size_t i, std::ptrdiff_t stride) {
-    return first + static_cast<std::ptrdiff_t>(i) * stride;
-}
-
-template <class T>
-quat<T> read(const quat_view<const T>& v, std::size_t i) {
-    return {*element(v.x, i, v.stride), *element(v.y, i, v.stride), *element(v.z, i, v.stride),
-            *element(v.w, i, v.stride)};
-}
-
-template <class T>
-void write(const quat_view<T>& v, std::size_t i, const quat<T>& q) {
-    *element(v.x, i, v.stride) = q.x;
-    *element(v.y, i, v.stride) = q.y;
-    *element(v.z, i, v.stride) = q.z;
-    *element(v.w, i, v.stride) = q.w;
-}
-
-template <class T>
-vec3<T> read(const vec3_view<const T>& v, std::size_t i) {
-    return {*element(v.x, i, v.stride), *element(v.y, i, v.stride), *element(v.z, i, v.stride)};
-}
-
-template <class T>
-factors<T> read(const factor_view<const T>& v, std::size_t i) {
-    return {v.s1[i], v.s2[i], v.sc[i], v.ts[i], v.tc[i]};
-}
-
-// The checks of the operation; `ok` with a size of 0 means that there is nothing to do.
-template <class T, class Numbers, class... In, class... Out>
-status check_call(const Numbers& numbers, const std::tuple<In...>& reads, const std::tuple<Out...>& writes,
-                  std::size_t& size) {
-    call_streams<T> s(reads, writes);
-    if (const status bad = check(s); bad != status::ok || s.size == 0) return bad;
-    if (const status bad = numbers(); bad != status::ok) return bad;
-    size = s.size;
-    return status::ok;
-}
-
-// Calls body(i, q, axis) for every element, the axis being an `axis` or a unit vector, in the order of the
-// elements.
+// Calls body(i, q, axis) for every element, the axis being an `axis` or a unit vector.
 template <class T, class Body, class... Out>
-status for_each(const quat_view<const T>& q, const twist_axis<T>& a, const options& o, Body body,
-                const Out&... out) {
+status for_each_about_axis(const quat_view<const T>& q, const twist_axis<T>& a, const options& o, Body body,
+                           const Out&... out) {
     const component_order& order = order_for(a, o.order);
     batch<T> b;
     std::size_t size = 0;
@@ -257,7 +145,7 @@ status for_each(const quat_view<const T>& q, const twist_axis<T>& a, const optio
     });
     if (bad != status::ok) return bad;
     unit_axis<T> unit{};
-    if (a.kind == twist_axis<T>::form::uniform) normalize(a.uniform, unit);
+    if (a.kind == twist_axis<T>::form::uniform) make_unit(a.uniform, unit);
     for (std::size_t i = 0; i < size; ++i) {
         switch (a.kind) {
             case twist_axis<T>::form::coordinate:
@@ -284,7 +172,7 @@ status decompose_all(const quat_view<const T>& q, const twist_axis<T>& a, const 
         write(twist, i, twist_about(about_axis, in, h));
         ((*element(signs.data, i, signs.stride) = std::copysign(T(1), in.w)), ...);
     };
-    return for_each(q, a, o, body, group_of(swing, as_it_is), group_of(twist, as_it_is), group_of(signs)...);
+    return for_each_about_axis(q, a, o, body, group_of(swing), group_of(twist), group_of(signs)...);
 }
 
 template <class T, class... Signs>
@@ -301,7 +189,7 @@ status decompose_all(const quat_view<const T>& q, axis a, const factor_view<T>& 
         out.tc[i] = h.cosine;
         ((*element(signs.data, i, signs.stride) = std::copysign(T(1), in.w)), ...);
     };
-    return for_each(q, twist_axis<T>(a), o, body, group_of(out, o.order), group_of(signs)...);
+    return for_each_about_axis(q, twist_axis<T>(a), o, body, group_of(out, o.order), group_of(signs)...);
 }
 
 template <class T>
@@ -312,7 +200,7 @@ status twist_all(const quat_view<const T>& q, const twist_axis<T>& a, const quat
         if (o.positive_twist) h = positive(h, in.w);
         write(out, i, twist_about(about_axis, in, h));
     };
-    return for_each(q, a, o, body, group_of(out, as_it_is));
+    return for_each_about_axis(q, a, o, body, group_of(out));
 }
 
 template <class T>
@@ -322,7 +210,7 @@ status swing_all(const quat_view<const T>& q, const twist_axis<T>& a, const quat
         const half_twist<T> h = half_twist_about(about_axis, in, threshold_of<T>(o));
         write(out, i, swing_about(about_axis, in, h, o.order));
     };
-    return for_each(q, a, o, body, group_of(out, as_it_is));
+    return for_each_about_axis(q, a, o, body, group_of(out));
 }
 
 template <class T>
@@ -334,7 +222,7 @@ status twist_angle_all(const quat_view<const T>& q, const twist_axis<T>& a, cons
         // A sine of -0 beside a negative cosine would give -2 pi, which is outside the range.
         *element(radians.data, i, radians.stride) = 2 * atan2_of(h.sine + T(0), h.cosine);
     };
-    return for_each(q, a, o, body, group_of(radians));
+    return for_each_about_axis(q, a, o, body, group_of(radians));
 }
 
 template <class T, class... Signs>
@@ -345,41 +233,33 @@ bool any_negative([[maybe_unused]] std::size_t i, const Signs&... signs) {
 template <class T, class... Signs>
 status compose_all(const quat_view<const T>& swing, const quat_view<const T>& twist, const quat_view<T>& q,
                    const options& o, const Signs&... signs) {
-    std::size_t size = 0;
-    const status bad =
-        check_call<T>([&] { return check(o); },
-                      std::tuple(group_of(swing, as_it_is), group_of(twist, as_it_is), group_of(signs)...),
-                      std::tuple(group_of(q, as_it_is)), size);
-    if (bad != status::ok) return bad;
-    for (std::size_t i = 0; i < size; ++i) {
-        const quat<T> s = read(swing, i);
-        quat<T> t = read(twist, i);
-        if (any_negative<T>(i, signs...)) t = {-t.x, -t.y, -t.z, -t.w};
-        write(q, i, o.order == product::swing_twist ? multiply(s, t) : multiply(t, s));
-    }
-    return status::ok;
+    return for_each<T>([&] { return check(o); },
+                       std::tuple(group_of(swing), group_of(twist), group_of(signs)...),
+                       std::tuple(group_of(q)),
+                       [&](std::size_t i) {
+                           const quat<T> s = read(swing, i);
+                           quat<T> t = read(twist, i);
+                           if (any_negative<T>(i, signs...)) t = {-t.x, -t.y, -t.z, -t.w};
+                           write(q, i, o.order == product::swing_twist ? multiply(s, t) : multiply(t, s));
+                       });
 }
 
 template <class T, class... Signs>
 status compose_all(const factor_view<const T>& in, axis a, const quat_view<T>& q, const options& o,
                    const Signs&... signs) {
-    std::size_t size = 0;
     const auto numbers = [&] {
         const status bad = check(o);
         return bad != status::ok ? bad : check(a);
     };
-    const status bad = check_call<T>(numbers, std::tuple(group_of(in, o.order), group_of(signs)...),
-                                     std::tuple(group_of(q, as_it_is)), size);
-    if (bad != status::ok) return bad;
-    for (std::size_t i = 0; i < size; ++i) {
-        factors<T> f = read(in, i);
-        if (any_negative<T>(i, signs...)) {
-            f.ts = -f.ts;
-            f.tc = -f.tc;
-        }
-        write(q, i, compose_about(a, f, o.order));
-    }
-    return status::ok;
+    return for_each<T>(numbers, std::tuple(group_of(in, o.order), group_of(signs)...),
+                       std::tuple(group_of(q)), [&](std::size_t i) {
+                           factors<T> f = read(in, i);
+                           if (any_negative<T>(i, signs...)) {
+                               f.ts = -f.ts;
+                               f.tc = -f.tc;
+                           }
+                           write(q, i, compose_about(a, f, o.order));
+                       });
 }
 
 }  // namespace

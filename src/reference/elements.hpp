@@ -1,0 +1,62 @@
+#ifndef SWIVEL_SRC_REFERENCE_ELEMENTS_HPP
+#define SWIVEL_SRC_REFERENCE_ELEMENTS_HPP
+
+// Elements of views, and what is common to the calls of swivel::reference.
+
+#include "../arguments.hpp"
+
+namespace swivel::reference {
+
+template <class T>
+T* element(T* first, std::size_t i, std::ptrdiff_t stride) {
+    return first + static_cast<std::ptrdiff_t>(i) * stride;
+}
+
+template <class T>
+quat<T> read(const quat_view<const T>& v, std::size_t i) {
+    return {*element(v.x, i, v.stride), *element(v.y, i, v.stride), *element(v.z, i, v.stride),
+            *element(v.w, i, v.stride)};
+}
+
+template <class T>
+void write(const quat_view<T>& v, std::size_t i, const quat<T>& q) {
+    *element(v.x, i, v.stride) = q.x;
+    *element(v.y, i, v.stride) = q.y;
+    *element(v.z, i, v.stride) = q.z;
+    *element(v.w, i, v.stride) = q.w;
+}
+
+template <class T>
+vec3<T> read(const vec3_view<const T>& v, std::size_t i) {
+    return {*element(v.x, i, v.stride), *element(v.y, i, v.stride), *element(v.z, i, v.stride)};
+}
+
+template <class T>
+factors<T> read(const factor_view<const T>& v, std::size_t i) {
+    return {v.s1[i], v.s2[i], v.sc[i], v.ts[i], v.tc[i]};
+}
+
+// The checks of the operation; `ok` with a size of 0 means that there is nothing to do.
+template <class T, class Numbers, class... In, class... Out>
+status check_call(const Numbers& numbers, const std::tuple<In...>& reads, const std::tuple<Out...>& writes,
+                  std::size_t& size) {
+    call_streams<T> s(reads, writes);
+    if (const status bad = check(s); bad != status::ok || s.size == 0) return bad;
+    if (const status bad = numbers(); bad != status::ok) return bad;
+    size = s.size;
+    return status::ok;
+}
+
+// Checks, then calls body(i) for every element in order.
+template <class T, class Numbers, class... In, class... Out, class Body>
+status for_each(const Numbers& numbers, const std::tuple<In...>& reads, const std::tuple<Out...>& writes,
+                Body body) {
+    std::size_t size = 0;
+    if (const status bad = check_call<T>(numbers, reads, writes, size); bad != status::ok) return bad;
+    for (std::size_t i = 0; i < size; ++i) body(i);
+    return status::ok;
+}
+
+}  // namespace swivel::reference
+
+#endif
