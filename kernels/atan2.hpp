@@ -2,22 +2,14 @@
 #define SWIVEL_KERNELS_ATAN2_HPP
 
 #include "constants.hpp"
+#include "kernel_table.hpp"
 #include "ops.hpp"
+#include "polynomial.hpp"
 
 namespace swivel {
 namespace {
 
-// c[K] + c[K + 1] x + ..., by Horner's rule, without a loop that could be left rolled up.
-template <class M, std::size_t K = 0, class V, std::size_t N>
-inline V polynomial(V x, const scalar_of<V> (&c)[N]) noexcept {
-    if constexpr (K + 1 == N)
-        return V(c[K]);
-    else
-        return M::multiply_add(polynomial<M, K + 1>(x, c), x, V(c[K]));
-}
-
-// The angle of the point (x, y), in [-pi, pi], for points that are not (0, 0): no libm gives the same bits on
-// two systems. The quotient of the smaller by the larger coordinate is brought to at most tan(pi/8) by
+// The angle of the point (x, y), in [-pi, pi]; (0, 0) counts as (+-1, 0): no libm gives the same bits on two systems. The quotient of the smaller by the larger coordinate is brought to at most 1/2 by
 // turning the point back by pi/4, so that a short polynomial serves; the angle is then k pi/4 plus or minus
 // its value, with k pi/4 in two parts of which the first is exact.
 template <precision_index P, class V>
@@ -30,9 +22,10 @@ inline V atan2_of(V y, V x) noexcept {
     const mask_of<V> steep = ay > ax;
     const V small = xsimd::select(steep, ax, ay);
     const V large = xsimd::select(steep, ay, ax);
-    const mask_of<V> turned = small > V(C::tan_eighth_pi) * large;
+    const mask_of<V> turned = small > V(T(0.5)) * large;
+    const V divisor = xsimd::select(turned, small + large, large);
     const V z =
-        quotient(xsimd::select(turned, small - large, small), xsimd::select(turned, small + large, large));
+        quotient(xsimd::select(turned, small - large, small), xsimd::select(divisor == zero, one, divisor));
 
     const V s = z * z;
     V rest = M::multiply_add(z * s, polynomial<M>(s, C::atan), z);
@@ -47,6 +40,24 @@ inline V atan2_of(V y, V x) noexcept {
     const V angle = eighths * V(C::quarter_pi) + M::multiply_add(eighths, V(C::quarter_pi_rest), rest);
     return angle ^ sign_of(y);
 }
+
+// Streams in: y x. Out: the angle.
+template <precision_index P, class V>
+struct atan2_op {
+    using M = arithmetic<P>;
+    static constexpr int inputs = 2, quaternions_in = 0;
+    static constexpr int outputs = 1, quaternions_out = 0;
+
+    explicit atan2_op(const scalar_of<V>*) noexcept {}
+
+    void operator()(const V* in, V* out) const noexcept {
+        const V zero(scalar_of<V>(0));
+        // An infinity would be a limit; here it is an element that is wrong.
+        const V poison = zero * in[0] + zero * in[1];
+        const V angle = atan2_of<P>(in[0], in[1]);
+        out[0] = xsimd::select(poison == zero, angle, poison);
+    }
+};
 
 }  // namespace
 }  // namespace swivel

@@ -50,6 +50,8 @@ struct operations {
     kernel<T> twist_angle[axis_forms][2][precisions];
     kernel<T> compose[2][precisions];  // without, with signs
     kernel<T> compose_compact[2][precisions];
+    kernel<T> sincos[precisions];
+    kernel<T> atan2[precisions];
 };
 
 struct kernel_table {

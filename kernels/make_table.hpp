@@ -3,8 +3,10 @@
 
 // The kernels of one ISA. isa/<isa>.cpp includes this and defines its table; nothing else there.
 
+#include "atan2.hpp"
 #include "compose.hpp"
 #include "decompose.hpp"
+#include "sincos.hpp"
 #include "stream_loop.hpp"
 #include "swing.hpp"
 #include "twist.hpp"
@@ -50,6 +52,8 @@ struct fill {
         table.compose[true][P] = loop<compose_op<P, true, V>>;
         table.compose_compact[false][P] = loop<compose_compact_op<P, false, V>>;
         table.compose_compact[true][P] = loop<compose_compact_op<P, true, V>>;
+        table.sincos[P] = loop<sincos_op<P, V>>;
+        table.atan2[P] = loop<atan2_op<P, V>>;
     }
 };
 

@@ -15,8 +15,8 @@ status full(const quat_view<const T>& swing, const quat_view<const T>& twist, co
     return run(
         active_operations<T>().compose[sizeof...(signs)][index_of(o.accuracy)],
         [&](batch<T>&) { return check(o); },
-        std::tuple(group_of(swing_left ? swing : twist),
-                   group_of(swing_left ? twist : swing), group_of(signs)...),
+        std::tuple(group_of(swing_left ? swing : twist), group_of(swing_left ? twist : swing),
+                   group_of(signs)...),
         std::tuple(group_of(q)));
 }
 

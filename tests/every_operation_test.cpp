@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <thread>
 
 #include "support/operations.hpp"
@@ -16,14 +18,27 @@ INSTANTIATE_TEST_SUITE_P(Isa, EveryOperation, testing::ValuesIn(usable_isas()), 
 constexpr std::size_t widest_register = 16;
 
 template <class T>
-void expect_equal_outputs(workspace<T>& got, workspace<T>& want, const std::string& what) {
+std::string hexadecimal(T a) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%a", static_cast<double>(a));
+    return text;
+}
+
+template <class T>
+void expect_equal_outputs(const operation<T>& op, workspace<T>& got, workspace<T>& want,
+                          const std::string& what) {
     for (std::size_t i = 0; i < got.size(); ++i) {
-        const std::vector<T> a = got.outputs(i), b = want.outputs(i);
+        const std::vector<T> a = op.outputs(got, i), b = op.outputs(want, i);
         for (std::size_t k = 0; k < a.size(); ++k)
-            ASSERT_TRUE(same_bits(a[k], b[k]))
-                << what << ", element " << i << " of " << got.size() << ", output " << k << ": " << a[k]
-                << ", reference " << b[k] << "; q = " << got.q.get(i).x << ' ' << got.q.get(i).y << ' '
-                << got.q.get(i).z << ' ' << got.q.get(i).w;
+            if (!same_bits(a[k], b[k])) {
+                std::string inputs;
+                for (any_buffer<T>* input : op.reads(got))
+                    for (int c = 0; c < input->components(); ++c)
+                        inputs += ' ' + hexadecimal(input->at(c, i));
+                FAIL() << op.name << ' ' << what << ", element " << i << " of " << got.size() << ", output "
+                       << k << ": " << hexadecimal(a[k]) << ", expected " << hexadecimal(b[k]) << "; inputs"
+                       << inputs;
+            }
     }
 }
 
@@ -40,7 +55,7 @@ void same_bits_as_reference() {
                 scalar.fill(again);
                 ASSERT_EQ(op.run(kernel, precision::reproducible), status::ok) << op.name;
                 ASSERT_EQ(op.run_reference(scalar), status::ok) << op.name;
-                expect_equal_outputs(kernel, scalar, op.name + ' ' + name(l));
+                expect_equal_outputs(op, kernel, scalar, name(l));
                 if (testing::Test::HasFatalFailure()) return;
             }
 }
@@ -60,7 +75,7 @@ void same_bits_over_many_blocks() {
             scalar.fill(again);
             ASSERT_EQ(op.run(kernel, precision::reproducible), status::ok) << op.name;
             ASSERT_EQ(op.run_reference(scalar), status::ok) << op.name;
-            expect_equal_outputs(kernel, scalar, op.name + ' ' + name(l));
+            expect_equal_outputs(op, kernel, scalar, name(l));
             if (testing::Test::HasFatalFailure()) return;
         }
 }
@@ -70,52 +85,51 @@ TEST_P(EveryOperation, ReproducibleHasTheBitsOfReferenceOverManyBlocks) {
     same_bits_over_many_blocks<double>();
 }
 
+template <class T>
+void copy_element(const operation<T>& op, workspace<T>& from, std::size_t i, workspace<T>& to,
+                  std::size_t place) {
+    const buffers<T> source = op.reads(from), target = op.reads(to);
+    for (std::size_t b = 0; b < source.size(); ++b)
+        for (int c = 0; c < source[b]->components(); ++c) target[b]->at(c, place) = source[b]->at(c, i);
+}
+
 // One corner among regular elements, at every place of a register and of the tail, in both precisions: its
 // result does not depend on the place, nor its neighbours' on it.
 template <class T>
 void same_bits_at_every_lane() {
     constexpr std::size_t n = 2 * widest_register + 3;
-    const std::vector<quat<T>> corners = corner_rotations<T>();
-    for (const operation<T>& op : all_operations<T>()) {
-        if (!op.reads_q) continue;
+    workspace<T> corners(3 * 60, layout::soa), regular(n, layout::soa), w(n, layout::soa);
+    generator g(3), other(4);
+    corners.fill(g);
+    {
+        // All but every third element of a filled workspace are regular.
+        workspace<T> filled(2 * n, layout::soa);
+        filled.fill(other);
+        for (const operation<T>& op : all_operations<T>())
+            for (std::size_t i = 0; i < n; ++i) copy_element(op, filled, i + i / 2, regular, i);
+    }
+    for (const operation<T>& op : all_operations<T>())
         for (precision p : {precision::fast, precision::reproducible}) {
-            workspace<T> regular(n, layout::soa);
-            generator g(3);
-            for (std::size_t i = 0; i < n; ++i) {
-                regular.q.set(i, random_rotation<T>(g));
-                regular.axes.set(i, random_direction<T>(g));
-            }
-            // The place must make no difference, so every element has the axis of the first.
-            for (std::size_t i = 0; i < n; ++i) regular.axes.set(i, regular.axes.get(0));
-            const auto refill = [&](workspace<T>& w) {
-                for (std::size_t i = 0; i < n; ++i) {
-                    w.q.set(i, regular.q.get(i));
-                    w.axes.set(i, regular.axes.get(i));
-                }
-            };
             ASSERT_EQ(op.run(regular, p), status::ok);
-            for (const quat<T>& corner : corners) {
+            std::vector<std::vector<T>> alone;
+            for (std::size_t i = 0; i < n; ++i) alone.push_back(op.outputs(regular, i));
+            for (std::size_t corner = 2; corner < corners.size(); corner += 3) {
                 std::vector<T> first;
-                workspace<T> w(n, layout::soa);
                 for (std::size_t place = 0; place < n; ++place) {
-                    refill(w);
-                    w.q.set(place, corner);
+                    for (std::size_t i = 0; i < n; ++i) copy_element(op, regular, i, w, i);
+                    copy_element(op, corners, corner, w, place);
                     ASSERT_EQ(op.run(w, p), status::ok);
                     for (std::size_t i = 0; i < n; ++i) {
-                        const std::vector<T> got = w.outputs(i), want = regular.outputs(i);
-                        if (i == place) {
-                            if (first.empty()) first = got;
-                            for (std::size_t k = 0; k < got.size(); ++k)
-                                ASSERT_TRUE(same_bits(got[k], first[k])) << op.name << " at " << place;
-                        } else {
-                            for (std::size_t k = 0; k < got.size(); ++k)
-                                ASSERT_TRUE(same_bits(got[k], want[k])) << op.name << " beside " << place;
-                        }
+                        const std::vector<T> got = op.outputs(w, i);
+                        if (i == place && first.empty()) first = got;
+                        const std::vector<T>& want = i == place ? first : alone[i];
+                        for (std::size_t k = 0; k < got.size(); ++k)
+                            ASSERT_TRUE(same_bits(got[k], want[k]))
+                                << op.name << (i == place ? " at " : " beside ") << place;
                     }
                 }
             }
         }
-    }
 }
 
 TEST_P(EveryOperation, SameBitsAtEveryLanePositionFloat) { same_bits_at_every_lane<float>(); }
@@ -135,7 +149,7 @@ void all_layouts_agree() {
                 generator again(11);
                 strided.fill(again);
                 ASSERT_EQ(op.run(strided, p), status::ok) << op.name;
-                expect_equal_outputs(strided, contiguous, op.name + ' ' + name(l));
+                expect_equal_outputs(op, strided, contiguous, name(l));
                 if (testing::Test::HasFatalFailure()) return;
             }
         }
@@ -152,45 +166,48 @@ void nan_stays() {
     constexpr std::size_t n = 2 * widest_register + 5;
     const T bad_values[] = {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity(),
                             -std::numeric_limits<T>::infinity()};
+    workspace<T> clean(n, layout::soa), w(n, layout::soa);
+    generator g(17), again(17);
+    clean.fill(g);
+    w.fill(again);
     for (const operation<T>& op : all_operations<T>())
         for (precision p : {precision::fast, precision::reproducible}) {
-            workspace<T> clean(n, layout::soa);
-            generator g(17);
-            clean.fill(g);
             ASSERT_EQ(op.run(clean, p), status::ok);
-            const int components = op.reads_q ? (op.reads_own_axis ? 7 : 4)
-                                   : op.name.find("compact") != std::string::npos ? 5
-                                                                                  : 8;
+            std::vector<std::vector<T>> wanted;
+            for (std::size_t i = 0; i < n; ++i) wanted.push_back(op.outputs(clean, i));
             for (T bad : bad_values)
-                for (int c = 0; c < components; ++c)
-                    for (std::size_t place : {std::size_t{0}, std::size_t{7}, 2 * widest_register + 1}) {
-                        workspace<T> w(n, layout::soa);
-                        generator again(17);
-                        w.fill(again);
-                        if (op.reads_q)
-                            (c < 4 ? w.q.at(c, place) : w.axes.at(c - 4, place)) = bad;
-                        else if (components == 5)
-                            w.factors_in.at(c, place) = bad;
-                        else
-                            (c < 4 ? w.swing_in.at(c, place) : w.twist_in.at(c - 4, place)) = bad;
-                        ASSERT_EQ(op.run(w, p), status::ok);
-                        for (std::size_t i = 0; i < n; ++i) {
-                            const std::vector<T> got = w.outputs(i), want = clean.outputs(i);
-                            for (std::size_t k = 0; k < got.size(); ++k) {
-                                const bool written = want[k] != untouched<T>;
-                                const bool sign = k + 1 == got.size() && op.name.ends_with("/signs");
-                                if (i == place && written && !sign)
-                                    ASSERT_TRUE(std::isnan(got[k]))
-                                        << op.name << " component " << c << " = " << bad << ", output " << k
-                                        << " is " << got[k];
-                                else if (i == place && sign)
-                                    ASSERT_EQ(std::fabs(got[k]), written ? T(1) : std::fabs(untouched<T>))
-                                        << op.name;
-                                else
-                                    ASSERT_TRUE(same_bits(got[k], want[k])) << op.name << " element " << i;
+                for (any_buffer<T>* input : op.reads(w)) {
+                    // Only its sign bit counts.
+                    if (input == &w.signs_in) continue;
+                    for (int c = 0; c < input->components(); ++c)
+                        for (std::size_t place : {std::size_t{0}, std::size_t{7}, 2 * widest_register + 1}) {
+                            const T before = input->at(c, place);
+                            input->at(c, place) = bad;
+                            ASSERT_EQ(op.run(w, p), status::ok);
+                            input->at(c, place) = before;
+                            for (std::size_t i = 0; i < n; ++i) {
+                                const std::vector<T> got = op.outputs(w, i), &want = wanted[i];
+                                if (i == place && op.moves) {
+                                    ASSERT_TRUE(std::any_of(got.begin(), got.end(),
+                                                            [](T v) { return !std::isfinite(v); }))
+                                        << op.name << " component " << c << " = " << bad;
+                                    continue;
+                                }
+                                for (std::size_t k = 0; k < got.size(); ++k) {
+                                    const bool sign = op.keeps_sign && k + 1 == got.size();
+                                    if (i != place)
+                                        ASSERT_TRUE(same_bits(got[k], want[k]))
+                                            << op.name << " element " << i;
+                                    else if (sign)
+                                        ASSERT_EQ(std::fabs(got[k]), T(1)) << op.name;
+                                    else
+                                        ASSERT_TRUE(std::isnan(got[k]))
+                                            << op.name << " component " << c << " = " << bad << ", output "
+                                            << k << " is " << got[k];
+                                }
                             }
                         }
-                    }
+                }
         }
 }
 
@@ -206,7 +223,7 @@ void finite_stays_finite() {
         for (precision p : {precision::fast, precision::reproducible}) {
             ASSERT_EQ(op.run(w, p), status::ok);
             for (std::size_t i = 0; i < w.size(); ++i)
-                for (T v : w.outputs(i)) ASSERT_TRUE(std::isfinite(v)) << op.name;
+                for (T v : op.outputs(w, i)) ASSERT_TRUE(std::isfinite(v)) << op.name;
         }
 }
 
@@ -250,7 +267,7 @@ TEST_P(EveryOperation, GivesTheSameBitsFromManyThreads) {
                 for (int repeat = 0; repeat < 4; ++repeat) (void)op.run(*w, precision::fast);
             });
         for (std::thread& t : threads) t.join();
-        for (auto& w : got) expect_equal_outputs(*w, want, op.name);
+        for (auto& w : got) expect_equal_outputs(op, *w, want, "");
     }
 }
 

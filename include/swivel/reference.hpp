@@ -64,6 +64,15 @@ status compose(const factor_view<const float>& factors, axis a, const scalar_vie
 status compose(const factor_view<const double>& factors, axis a, const scalar_view<const double>& signs,
                const quat_view<double>& q, options = {}) noexcept;
 
+status sincos(const scalar_view<const float>& radians, const scalar_view<float>& sine,
+              const scalar_view<float>& cosine, options = {}) noexcept;
+status sincos(const scalar_view<const double>& radians, const scalar_view<double>& sine,
+              const scalar_view<double>& cosine, options = {}) noexcept;
+status atan2(const scalar_view<const float>& y, const scalar_view<const float>& x,
+             const scalar_view<float>& radians, options = {}) noexcept;
+status atan2(const scalar_view<const double>& y, const scalar_view<const double>& x,
+             const scalar_view<double>& radians, options = {}) noexcept;
+
 }  // namespace swivel::reference
 
 #endif

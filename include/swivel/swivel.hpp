@@ -3,10 +3,12 @@
 
 // Everything. Conventions and the contract that all operations share are in types.hpp.
 
+#include "swivel/atan2.hpp"
 #include "swivel/compose.hpp"
 #include "swivel/decompose.hpp"
 #include "swivel/isa.hpp"
 #include "swivel/reference.hpp"
+#include "swivel/sincos.hpp"
 #include "swivel/swing.hpp"
 #include "swivel/twist.hpp"
 #include "swivel/twist_angle.hpp"

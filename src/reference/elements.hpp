@@ -32,6 +32,28 @@ vec3<T> read(const vec3_view<const T>& v, std::size_t i) {
 }
 
 template <class T>
+void write(const vec3_view<T>& v, std::size_t i, const vec3<T>& a) {
+    *element(v.x, i, v.stride) = a.x;
+    *element(v.y, i, v.stride) = a.y;
+    *element(v.z, i, v.stride) = a.z;
+}
+
+template <class T>
+T read(const scalar_view<const T>& v, std::size_t i) {
+    return *element(v.data, i, v.stride);
+}
+
+template <class T>
+T read(const parameter<T>& t, std::size_t i) {
+    return t.is_per_element ? read(t.per_element, i) : t.for_all;
+}
+
+template <class T>
+void write(const scalar_view<T>& v, std::size_t i, T a) {
+    *element(v.data, i, v.stride) = a;
+}
+
+template <class T>
 factors<T> read(const factor_view<const T>& v, std::size_t i) {
     return {v.s1[i], v.s2[i], v.sc[i], v.ts[i], v.tc[i]};
 }

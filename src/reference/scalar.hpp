@@ -4,9 +4,12 @@
 // The formulas that several operations share, for one element. The order of additions is part of the contract, since
 // precision::reproducible promises the same bits; contraction is off for the whole library.
 
+#include <bit>
 #include <cmath>
-#include <iterator>
+#include <cstdint>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "../../kernels/constants.hpp"
 #include "../unit_axis.hpp"
@@ -14,19 +17,26 @@
 
 namespace swivel::reference {
 
+// c0 + c1 x + ...
+template <class T, std::size_t N>
+T polynomial(T x, const T (&c)[N]) {
+    T p = c[N - 1];
+    for (std::size_t k = N - 1; k-- > 0;) p = p * x + c[k];
+    return p;
+}
+
 template <class T>
 T atan2_of(T y, T x) {
     using C = constants<T>;
     const T ax = std::fabs(x), ay = std::fabs(y);
     const bool steep = ay > ax;
     const T small = steep ? ax : ay, large = steep ? ay : ax;
-    const bool turned = small > C::tan_eighth_pi * large;
-    const T z = turned ? (small - large) / (small + large) : small / large;
+    const bool turned = small > T(0.5) * large;
+    const T divisor = turned ? small + large : large;
+    const T z = (turned ? small - large : small) / (divisor == 0 ? T(1) : divisor);
 
     const T s = z * z;
-    T p = 0;
-    for (auto c = std::end(C::atan); c != std::begin(C::atan);) p = p * s + *--c;
-    T rest = (z * s) * p + z;
+    T rest = (z * s) * polynomial(s, C::atan) + z;
 
     T eighths = turned ? T(1) : T(0);
     if (steep) {
@@ -39,6 +49,34 @@ T atan2_of(T y, T x) {
     }
     const T angle = eighths * C::quarter_pi + (eighths * C::quarter_pi_rest + rest);
     return std::signbit(y) ? -angle : angle;
+}
+
+template <class T>
+struct sine_cosine {
+    T sine, cosine;
+};
+
+// Sine and cosine of r = |x| - k pi/2, exchanged where k is odd, with the signs of the quadrant.
+template <class T>
+sine_cosine<T> sincos_of(T x) {
+    using C = constants<T>;
+    using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+    T r = std::fabs(x);
+    if (r > C::largest_angle) r = T(0) * r;
+    const T rounded = r * C::two_over_pi + C::round, k = rounded - C::round;
+    const unsigned quadrant = static_cast<unsigned>(std::bit_cast<bits>(rounded)) & 3U;
+    // Exact, up to here; what the difference of the third product rounds off goes back in with the fourth.
+    const T rest = (r - k * C::half_pi[0]) - k * C::half_pi[1], third = k * C::half_pi[2];
+    const T reduced = rest - third;
+    r = reduced + (((rest - reduced) - third) - k * C::half_pi[3]);
+
+    const T s = r * r;
+    T sine = (r * s) * polynomial(s, C::sin) + r;
+    T cosine = (s * s) * polynomial(s, C::cos) + (1 - T(0.5) * s);
+    if (quadrant % 2 != 0) std::swap(sine, cosine);
+    if ((quadrant >= 2) != std::signbit(x)) sine = -sine;
+    if (quadrant == 1 || quadrant == 2) cosine = -cosine;
+    return {sine, cosine};
 }
 
 // A NaN for an infinity, everything else as it is.

@@ -46,10 +46,22 @@ inline std::string name(layout l) {
 template <class T>
 constexpr T untouched = T(-123456.5);
 
+// The elements of a buffer, whatever their kind.
+template <class T>
+class any_buffer {
+public:
+    virtual int components() const = 0;
+    virtual T& at(int component, std::size_t i) = 0;
+    virtual std::vector<T>& memory() = 0;
+
+protected:
+    ~any_buffer() = default;
+};
+
 // N components of n elements in one of the layouts. The streams of soa begin at odd addresses, so that no
 // kernel can rely on alignment.
 template <class T, int N>
-class stream_buffer {
+class stream_buffer : public any_buffer<T> {
 public:
     stream_buffer(std::size_t n, layout l) : n_(n), data_(N * (2 * n + 2) + 1, untouched<T>) {
         const bool array = (l == layout::aos_xyzw || l == layout::aos_wxyz) && N > 1;
@@ -65,13 +77,14 @@ public:
     stream_buffer(const stream_buffer&) = delete;
     stream_buffer& operator=(const stream_buffer&) = delete;
 
-    T& at(int component, std::size_t i) {
+    int components() const final { return N; }
+    T& at(int component, std::size_t i) final {
         return first_[component][static_cast<std::ptrdiff_t>(i) * stride_];
     }
     T* first(int component) { return first_[component]; }
     std::size_t size() const { return n_; }
     std::ptrdiff_t stride() const { return stride_; }
-    std::vector<T>& memory() { return data_; }
+    std::vector<T>& memory() final { return data_; }
 
 private:
     std::size_t n_;
@@ -117,6 +130,18 @@ struct scalar_buffer : stream_buffer<T, 1> {
 
     scalar_view<T> view() { return {this->first(0), this->size(), this->stride()}; }
     T& operator[](std::size_t i) { return this->at(0, i); }
+};
+
+// Element xx first, row by row.
+template <class T>
+struct matrix_buffer : stream_buffer<T, 9> {
+    using stream_buffer<T, 9>::stream_buffer;
+
+    matrix_view<T> view() {
+        return {this->first(0), this->first(1), this->first(2), this->first(3),
+                this->first(4), this->first(5), this->first(6), this->first(7),
+                this->first(8), this->size(),   this->stride()};
+    }
 };
 
 // Factor views have no stride: always structure of arrays.

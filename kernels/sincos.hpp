@@ -1,0 +1,58 @@
+#ifndef SWIVEL_KERNELS_SINCOS_HPP
+#define SWIVEL_KERNELS_SINCOS_HPP
+
+#include "constants.hpp"
+#include "kernel_table.hpp"
+#include "ops.hpp"
+#include "polynomial.hpp"
+
+namespace swivel {
+namespace {
+
+// Sine and cosine of angles up to constants::largest_angle; larger ones count as 0. The angle is brought to
+// r = |x| - k pi/2 in [-pi/4, pi/4], with pi/2 in parts so short that their products with k are exact, all but the
+// last. NaN and infinity give NaN.
+template <precision_index P, class V>
+inline void sincos_of(V x, V& sine, V& cosine) noexcept {
+    using T = scalar_of<V>;
+    using C = constants<T>;
+    using M = arithmetic<P>;
+    const V zero(T(0)), one(T(1));
+    const V size = magnitude(x);
+    V r = xsimd::select(size > V(C::largest_angle), zero * size, size);
+
+    // The sum has k in its lowest bits; they are looked at beside the bits of 1, since a comparison may take a number
+    // as small as these bits alone for 0.
+    const V rounded = M::multiply_add(r, V(C::two_over_pi), V(C::round));
+    const V k = rounded - V(C::round);
+    const mask_of<V> odd = ((rounded & V(C::bit_0)) | one) > one;
+    const mask_of<V> upper = ((rounded & V(C::bit_1)) | one) > one;
+
+    // Exact, up to here; what the difference of the third product rounds off goes back in with the fourth.
+    const V rest = (r - k * V(C::half_pi[0])) - k * V(C::half_pi[1]), third = k * V(C::half_pi[2]);
+    const V reduced = rest - third;
+    r = reduced + (((rest - reduced) - third) - k * V(C::half_pi[3]));
+    const V s = r * r;
+    const V sin_r = M::multiply_add(r * s, polynomial<M>(s, C::sin), r);
+    const V cos_r =
+        M::multiply_add(s * s, polynomial<M>(s, C::cos), M::negate_multiply_add(V(T(0.5)), s, one));
+    const V minus(T(-0.0)), sign = xsimd::select(upper, minus, zero);
+    sine = xsimd::select(odd, cos_r, sin_r) ^ sign ^ sign_of(x);
+    cosine = xsimd::select(odd, sin_r, cos_r) ^ sign ^ xsimd::select(odd, minus, zero);
+}
+
+// Streams in: the angle. Out: its sine and cosine.
+template <precision_index P, class V>
+struct sincos_op {
+    static constexpr int inputs = 1, quaternions_in = 0;
+    static constexpr int outputs = 2, quaternions_out = 0;
+
+    explicit sincos_op(const scalar_of<V>*) noexcept {}
+
+    void operator()(const V* in, V* out) const noexcept { sincos_of<P>(in[0], out[0], out[1]); }
+};
+
+}  // namespace
+}  // namespace swivel
+
+#endif
