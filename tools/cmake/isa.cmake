@@ -7,6 +7,8 @@ set(swivel_isa_rows
     "avx2|x86_64|-mavx2 -mfma"
     "avx512|x86_64|-mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx512vl -mfma"
     "neon64|aarch64|")
+set(SWIVEL_ISAS "" CACHE STRING "ISAs to build kernels for besides the baseline; empty: all")
+set(swivel_baseline sse2 neon64)
 
 string(TOLOWER "${CMAKE_SYSTEM_PROCESSOR}" swivel_processor)
 if(swivel_processor MATCHES "^(amd64|x64)$")
@@ -40,7 +42,7 @@ function(swivel_add_kernels target)
         list(GET row 0 isa)
         list(GET row 1 processor)
         list(GET row 2 flags)
-        if(NOT swivel_processor STREQUAL processor)
+        if(NOT swivel_processor STREQUAL processor OR (SWIVEL_ISAS AND NOT isa IN_LIST SWIVEL_ISAS AND NOT isa IN_LIST swivel_baseline))
             continue()
         endif()
         separate_arguments(flags)

@@ -96,6 +96,28 @@ void add_precision(CLI::App& app, swivel::precision& value) {
                "Arithmetic: the quickest, or one that gives the same bits on every ISA");
 }
 
+CLI::Option* add_parameter(CLI::App& app, const std::string& name, parameter_argument& value,
+                           const std::string& description) {
+    return app
+        .add_option_function<std::string>(
+            name,
+            [&value, name](const std::string& given) {
+                if (given == "column") {
+                    value = parameter_column{};
+                    return;
+                }
+                const clip::parsed<double> wide = parse_real<double>(given);
+                if (!wide.fault.empty() || !std::isfinite(wide.value))
+                    throw CLI::ValidationError(name, "'" + given + "' is neither a finite number nor column");
+                const clip::parsed<float> narrow = parse_real<float>(given);
+                if (!narrow.fault.empty())
+                    throw CLI::ValidationError(name, "'" + given + "' is too large for f32");
+                value = number{narrow.value, wide.value};
+            },
+            description)
+        ->type_name("NUMBER|column");
+}
+
 void add_pole_threshold(CLI::App& app, double& value) {
     app.add_option_function<std::string>(
            "--pole-threshold",

@@ -27,6 +27,14 @@ struct axis_vector {
 };
 using axis_argument = std::variant<swivel::axis, axis_vector, automatic_axis, axis_columns>;
 
+// One number for all rows, or a column with one for each.
+struct parameter_column {};
+struct number {
+    float f32 = 0;
+    double f64 = 0;
+};
+using parameter_argument = std::variant<number, parameter_column>;
+
 // An option whose value is one of a few words.
 template <class T>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, T& value,
@@ -60,6 +68,9 @@ enum class axis_words { none, automatic, columns };
 CLI::Option* add_axis(CLI::App& app, axis_argument& value, axis_words words);
 void add_product(CLI::App& app, swivel::product& value);
 void add_precision(CLI::App& app, swivel::precision& value);
+// A number, or the word `column` for the column of that name.
+CLI::Option* add_parameter(CLI::App& app, const std::string& name, parameter_argument& value,
+                           const std::string& description);
 void add_pole_threshold(CLI::App& app, double& value);
 
 void add_isa(CLI::App& app, std::optional<swivel::isa>& value);

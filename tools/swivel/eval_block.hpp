@@ -15,6 +15,7 @@ enum class group_kind {
     quaternion,  // prefix + x, y, z, w
     vector,      // prefix + x, y, z
     factors,     // s1 s2 sc ts tc
+    matrix,      // prefix + xx, xy, xz, yx ... zz: row x first
     scalar       // one column, of the name itself
 };
 
@@ -52,6 +53,7 @@ public:
     [[nodiscard]] swivel::quat_view<T> quaternion(std::size_t group) const noexcept;
     [[nodiscard]] swivel::vec3_view<T> vector(std::size_t group) const noexcept;
     [[nodiscard]] swivel::factor_view<T> factors(std::size_t group) const noexcept;
+    [[nodiscard]] swivel::matrix_view<T> matrix(std::size_t group) const noexcept;
     [[nodiscard]] swivel::scalar_view<T> scalar(std::size_t group) const noexcept;
 
 private:

@@ -1,11 +1,12 @@
 #ifndef SWIVEL_COMMAND_EVAL_OPERATION_HPP
 #define SWIVEL_COMMAND_EVAL_OPERATION_HPP
 
-// The operations of `swivel eval`. One more is a file like eval_twist.cpp, a declaration below and a row in
-// eval_operations.cpp.
+// The operations of `swivel eval`. One more is a definition in the file of its family, a declaration below and a row
+// in eval_operations.cpp.
 
 #include <CLI/CLI.hpp>
-#include <array>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "arguments.hpp"
@@ -21,6 +22,7 @@ struct eval_settings {
     axis_argument axis = swivel::axis::z;
     factor_form form = factor_form::full;
     bool signs = false;
+    parameter_argument t = number{0.5F, 0.5};
     swivel::options options;
 };
 
@@ -44,15 +46,31 @@ struct eval_operation {
     eval_function<double> run_f64;
 };
 
+extern const eval_operation eval_atan2, eval_sincos;
 extern const eval_operation eval_compose, eval_decompose, eval_swing, eval_twist, eval_twist_angle;
 
-[[nodiscard]] const std::array<const eval_operation*, 5>& eval_operations() noexcept;
+[[nodiscard]] std::span<const eval_operation* const> eval_operations() noexcept;
 
 // Shared by the operations that read a rotation and an axis: qx qy qz qw, with axis_columns ax ay az too.
 [[nodiscard]] std::vector<column_group> rotation_columns(const eval_settings& settings);
 template <class T>
 [[nodiscard]] swivel::twist_axis<T> axis_of_rows(const eval_settings& settings,
                                                  const eval_block<T>& in) noexcept;
+
+// For operations that have no options of their own.
+inline void add_no_options(CLI::App&, eval_settings&) {}
+
+// The parameter, or where it is a column the scalars of the group.
+template <class T>
+[[nodiscard]] swivel::parameter<T> parameter_of_rows(const parameter_argument& argument,
+                                                     const eval_block<T>& in, std::size_t group) noexcept {
+    if (std::holds_alternative<parameter_column>(argument)) return in.scalar(group);
+    const number& n = std::get<number>(argument);
+    if constexpr (std::is_same_v<T, float>)
+        return n.f32;
+    else
+        return n.f64;
+}
 
 // For operations in compact form, which take nothing but a coordinate axis. Throws bad_usage.
 void require_coordinate_axis(const eval_settings& settings);

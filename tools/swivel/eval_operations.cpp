@@ -3,9 +3,11 @@
 
 namespace swivel::command {
 
-const std::array<const eval_operation*, 5>& eval_operations() noexcept {
-    static constexpr std::array<const eval_operation*, 5> operations = {
-        &eval_decompose, &eval_compose, &eval_twist, &eval_swing, &eval_twist_angle};
+std::span<const eval_operation* const> eval_operations() noexcept {
+    static constexpr const eval_operation* operations[] = {
+        &eval_decompose,   &eval_compose, &eval_twist, &eval_swing,
+        &eval_twist_angle, &eval_sincos,  &eval_atan2,
+    };
     return operations;
 }
 
