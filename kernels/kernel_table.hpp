@@ -25,7 +25,7 @@ template <class T>
 struct batch {
     const T* in[most_inputs];
     T* out[most_outputs];
-    T uniform[5];
+    T uniform[6];
     std::size_t size;
     bool has_arrays = false;
     quaternion_array<const T> in_array[3];
@@ -50,6 +50,9 @@ struct operations {
     kernel<T> twist_angle[axis_forms][2][precisions];
     kernel<T> compose[2][precisions];  // without, with signs
     kernel<T> compose_compact[2][precisions];
+    kernel<T> slerp[2][precisions];  // the short, the long way
+    kernel<T> nlerp[2][precisions];
+    kernel<T> sterp[2][2][2][precisions];  // axis for each element, chord, body
     kernel<T> sincos[precisions];
     kernel<T> atan2[precisions];
 };

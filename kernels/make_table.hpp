@@ -6,7 +6,10 @@
 #include "atan2.hpp"
 #include "compose.hpp"
 #include "decompose.hpp"
+#include "nlerp.hpp"
 #include "sincos.hpp"
+#include "slerp.hpp"
+#include "sterp.hpp"
 #include "stream_loop.hpp"
 #include "swing.hpp"
 #include "twist.hpp"
@@ -41,6 +44,12 @@ struct fill {
         }
     }
 
+    template <class Form, bool Body>
+    static constexpr void with_form(kernel<T> (&motions)[2][2][precisions]) {
+        motions[false][Body][P] = loop<sterp_op<P, Form, constant_speed<P>, Body, V>>;
+        motions[true][Body][P] = loop<sterp_op<P, Form, along_the_chord<P>, Body, V>>;
+    }
+
     static constexpr void all(operations<T>& table) {
         with_sign<sign_left>(table);
         with_sign<sign_positive>(table);
@@ -52,6 +61,14 @@ struct fill {
         table.compose[true][P] = loop<compose_op<P, true, V>>;
         table.compose_compact[false][P] = loop<compose_compact_op<P, false, V>>;
         table.compose_compact[true][P] = loop<compose_compact_op<P, true, V>>;
+        table.slerp[false][P] = loop<slerp_op<P, false, V>>;
+        table.slerp[true][P] = loop<slerp_op<P, true, V>>;
+        table.nlerp[false][P] = loop<nlerp_op<P, false, V>>;
+        table.nlerp[true][P] = loop<nlerp_op<P, true, V>>;
+        with_form<uniform, false>(table.sterp[false]);
+        with_form<uniform, true>(table.sterp[false]);
+        with_form<per_element, false>(table.sterp[true]);
+        with_form<per_element, true>(table.sterp[true]);
         table.sincos[P] = loop<sincos_op<P, V>>;
         table.atan2[P] = loop<atan2_op<P, V>>;
     }

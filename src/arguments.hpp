@@ -94,6 +94,14 @@ T threshold_of(const options& o) noexcept {
     return static_cast<T>(o.pole_threshold);
 }
 
+// A coordinate axis as a vector, for operations whose cost is elsewhere.
+template <class T>
+twist_axis<T> as_vector(const twist_axis<T>& a) noexcept {
+    if (a.kind != twist_axis<T>::form::coordinate) return a;
+    const auto is = [&](axis c) { return a.coordinate == c ? T(1) : T(0); };
+    return vec3<T>{is(axis::x), is(axis::y), is(axis::z)};
+}
+
 // Checks the numbers of an operation that projects on an axis, and puts them where its kernel takes them.
 template <class T>
 status set_numbers(batch<T>& b, const component_order& order, const twist_axis<T>& a,

@@ -73,6 +73,26 @@ status atan2(const scalar_view<const float>& y, const scalar_view<const float>& 
 status atan2(const scalar_view<const double>& y, const scalar_view<const double>& x,
              const scalar_view<double>& radians, options = {}) noexcept;
 
+status slerp(const quat_view<const float>& a, const quat_view<const float>& b, const parameter<float>& t,
+             const quat_view<float>& out, options = {}) noexcept;
+status slerp(const quat_view<const double>& a, const quat_view<const double>& b, const parameter<double>& t,
+             const quat_view<double>& out, options = {}) noexcept;
+status nlerp(const quat_view<const float>& a, const quat_view<const float>& b, const parameter<float>& t,
+             const quat_view<float>& out, options = {}) noexcept;
+status nlerp(const quat_view<const double>& a, const quat_view<const double>& b, const parameter<double>& t,
+             const quat_view<double>& out, options = {}) noexcept;
+status sterp(const quat_view<const float>& a, const quat_view<const float>& b, const twist_axis<float>& axis,
+             const parameter<float>& t, const quat_view<float>& out, options = {}) noexcept;
+status sterp(const quat_view<const double>& a, const quat_view<const double>& b,
+             const twist_axis<double>& axis, const parameter<double>& t, const quat_view<double>& out,
+             options = {}) noexcept;
+status sterp(const quat_view<const float>& a, const quat_view<const float>& b, const twist_axis<float>& axis,
+             const parameter<float>& swing, const parameter<float>& twist, const quat_view<float>& out,
+             options = {}) noexcept;
+status sterp(const quat_view<const double>& a, const quat_view<const double>& b,
+             const twist_axis<double>& axis, const parameter<double>& swing, const parameter<double>& twist,
+             const quat_view<double>& out, options = {}) noexcept;
+
 }  // namespace swivel::reference
 
 #endif

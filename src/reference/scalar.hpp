@@ -86,11 +86,22 @@ T finite_or_nan(T a) {
 }
 
 template <class T>
+quat<T> hamilton(const quat<T>& l, const quat<T>& r) {
+    return {
+        ((l.w * r.x + l.x * r.w) + l.y * r.z) - l.z * r.y, ((l.w * r.y + l.y * r.w) + l.z * r.x) - l.x * r.z,
+        ((l.w * r.z + l.z * r.w) + l.x * r.y) - l.y * r.x, ((l.w * r.w - l.x * r.x) - l.y * r.y) - l.z * r.z};
+}
+
+template <class T>
 quat<T> multiply(const quat<T>& l, const quat<T>& r) {
-    return {finite_or_nan(((l.w * r.x + l.x * r.w) + l.y * r.z) - l.z * r.y),
-            finite_or_nan(((l.w * r.y + l.y * r.w) + l.z * r.x) - l.x * r.z),
-            finite_or_nan(((l.w * r.z + l.z * r.w) + l.x * r.y) - l.y * r.x),
-            finite_or_nan(((l.w * r.w - l.x * r.x) - l.y * r.y) - l.z * r.z)};
+    const quat<T> p = hamilton(l, r);
+    return {finite_or_nan(p.x), finite_or_nan(p.y), finite_or_nan(p.z), finite_or_nan(p.w)};
+}
+
+// No less than the smallest square that has all its bits; NaN as it is.
+template <class T>
+T floored(T square) {
+    return constants<T>::pole_floor > square ? constants<T>::pole_floor : square;
 }
 
 template <class T>
@@ -113,7 +124,7 @@ unit_axis<T> normalized(const vec3<T>& v) {
     }
     const vec3<T> s{scale * v.x, scale * v.y, scale * v.z};
     const T squared = (s.x * s.x + s.y * s.y) + s.z * s.z;
-    const T root = std::sqrt(constants<T>::pole_floor > squared ? constants<T>::pole_floor : squared);
+    const T root = std::sqrt(floored(squared));
     return {s.x / root, s.y / root, s.z / root, 0};
 }
 

@@ -1,3 +1,5 @@
+#include "swing_twist.hpp"
+
 #include "elements.hpp"
 #include "scalar.hpp"
 #include "swivel/reference.hpp"
@@ -8,20 +10,7 @@ namespace swivel::reference {
 
 namespace {
 
-template <class T>
-struct half_twist {
-    T cosine, sine;
-};
-
-// T = (u a, w) / sqrt(w^2 + u^2), and at the pole (0, sgn w).
-template <class T>
-half_twist<T> half_twist_of(T w, T u, T t, T norm_squared, T threshold) {
-    const T nan_unless_finite = T(0) * norm_squared;
-    t = nan_unless_finite + t;
-    if (t <= threshold * norm_squared + constants<T>::pole_floor) return {std::copysign(T(1), w), T(0)};
-    const T root = std::sqrt(t);
-    return {w / root, u / root};
-}
+using reference::half_twist_about;
 
 template <class T>
 half_twist<T> positive(const half_twist<T>& h, T w) {
@@ -75,15 +64,6 @@ factors<T> factors_about(axis a, const quat<T>& q, const half_twist<T>& h, produ
     const T tc = h.cosine, ts = h.sine, sc = tc * w + ts * A;
     if (order == product::swing_twist) return {tc * B - ts * C, tc * C + ts * B, sc, ts, tc};
     return {tc * B + ts * C, tc * C - ts * B, sc, ts, tc};
-}
-
-// The rounding of a uniform axis is known and is taken out of w^2 + (a.v)^2, so that |T| does not have it.
-template <class T>
-half_twist<T> half_twist_about(const unit_axis<T>& a, const quat<T>& q, T threshold) {
-    const T u = (a.x * q.x + a.y * q.y) + a.z * q.z;
-    const T w_squared = q.w * q.w, u_squared = u * u;
-    const T norm_squared = ((q.x * q.x + q.y * q.y) + q.z * q.z) + w_squared;
-    return half_twist_of(q.w, u, u_squared + (w_squared + a.excess * u_squared), norm_squared, threshold);
 }
 
 // S = (c w + d u, c v - c u a + d a x v), where d u is written as T.v, which the rounding of u does not

@@ -41,6 +41,9 @@ vec3<W> widen(const vec3<T>& v) {
 }
 
 inline double root(double a) { return std::sqrt(a); }
+#ifdef __SIZEOF_FLOAT128__
+inline long double root(long double a) { return std::sqrt(a); }
+#endif
 
 // From the double root, which has 53 bits, by one step of Newton's method.
 inline quadruple root(quadruple a) {

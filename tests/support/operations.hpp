@@ -76,10 +76,14 @@ template <class T>
 void add_angles(std::vector<operation<T>>& all);
 
 template <class T>
+void add_interpolation(std::vector<operation<T>>& all);
+
+template <class T>
 std::vector<operation<T>> all_operations() {
     std::vector<operation<T>> all;
     add_swing_twist(all);
     add_angles(all);
+    add_interpolation(all);
     return all;
 }
 

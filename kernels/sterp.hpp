@@ -1,0 +1,125 @@
+#ifndef SWIVEL_KERNELS_STERP_HPP
+#define SWIVEL_KERNELS_STERP_HPP
+
+#include "atan2.hpp"
+#include "axis_form.hpp"
+#include "interpolation.hpp"
+#include "sincos.hpp"
+
+namespace swivel {
+namespace {
+
+// A part of a turn, as cosine and sine of its half, at constant speed.
+template <precision_index P>
+struct constant_speed {
+    // Of the turn whose half is h: its half angle times t.
+    template <class V>
+    static void part(V cosine, V sine, V t, V& part_cosine, V& part_sine) noexcept {
+        sincos_of<P>(t * atan2_of<P>(sine, cosine), part_sine, part_cosine);
+    }
+};
+
+// The same along the chord.
+template <precision_index P>
+struct along_the_chord {
+    template <class V>
+    static void part(V cosine, V sine, V t, V& part_cosine, V& part_sine) noexcept {
+        using T = scalar_of<V>;
+        using M = arithmetic<P>;
+        const V zero(T(0)), one(T(1));
+        V x = M::multiply_add(t, cosine, one - t), y = t * sine;
+        V squared = M::multiply_add(y, y, x * x);
+        // The middle of a full turn is a half turn, the way that a sine of 0 belongs to.
+        const mask_of<V> nothing = squared <= V(constants<T>::pole_threshold);
+        x = xsimd::select(nothing, zero, x);
+        y = xsimd::select(nothing, one_signed_like(sine), y);
+        squared = xsimd::select(nothing, one, squared);
+        if constexpr (P == reproducible_index) {
+            const V root = square_root_of(squared);
+            part_cosine = quotient(x, root);
+            part_sine = quotient(y, root);
+        } else {
+            const V scale = M::reciprocal_root(squared);
+            part_cosine = x * scale;
+            part_sine = y * scale;
+        }
+    }
+};
+
+// Streams in: a x y z w, b x y z w, those of the form's axis, the parameters of swing and twist. Uniform: that of the
+// form, and -0 for the long way, else 0.
+//
+// With D = b a* (in the body a* b) = S T, the result is S^s T^t a (in the body a S^s T^t). Where T = c + d l and the
+// swing's S = r + (c p + d k) with k = l x p, the factors come together as
+//   S^s T^t = cos(f) cos(g) + cos(f) sin(g) l + sin(f)/|p| (cos(h - g) p + sin(h - g) k),
+// f = s atan2(|p|, r), h = atan2(d, c), g = t h.
+template <precision_index P, class Form, class Motion, bool Body, class V>
+struct sterp_op : Form {
+    using T = scalar_of<V>;
+    using M = arithmetic<P>;
+    static constexpr int inputs = Form::inputs + 6, quaternions_in = 2;
+    static constexpr int outputs = 4, quaternions_out = 1;
+
+    V long_way;
+
+    explicit sterp_op(const T* uniform) noexcept : Form(uniform), long_way(uniform[5]) {}
+
+    void operator()(const V* in, V* out) const noexcept {
+        const V zero(T(0)), one(T(1));
+        const rotor<V> a{in[0], in[1], in[2], in[3]}, b{in[4], in[5], in[6], in[7]};
+        const V s = in[inputs - 2], t = in[inputs - 1];
+        const V minus(T(-0.0));
+        const rotor<V> back{a.x ^ minus, a.y ^ minus, a.z ^ minus, a.w};
+        rotor<V> d = Body ? hamilton<P>(back, b) : hamilton<P>(b, back);
+        // The sign of a zero would choose the way of the twist.
+        d.w = d.w + zero;
+        const V way = way_of<false>(d.w) ^ long_way;
+        d = flipped(d, way);
+
+        V projected[Form::inputs];
+        put(d, projected);
+        if constexpr (Form::inputs == 7) {
+            projected[4] = in[8];
+            projected[5] = in[9];
+            projected[6] = in[10];
+        }
+        typename Form::element q;
+        half_twist<V> h;
+        this->read(projected, q, h);
+
+        const V px = M::negate_multiply_add(q.u, q.ax, q.x), py = M::negate_multiply_add(q.u, q.ay, q.y),
+                pz = M::negate_multiply_add(q.u, q.az, q.z);
+        const V kx = M::negate_multiply_add(q.az, py, q.ay * pz),
+                ky = M::negate_multiply_add(q.ax, pz, q.az * px),
+                kz = M::negate_multiply_add(q.ay, px, q.ax * py);
+        const V pp =
+            larger(V(constants<T>::pole_floor), M::multiply_add(pz, pz, M::multiply_add(py, py, px * px)));
+        V length, scale;
+        if constexpr (P == reproducible_index) {
+            length = square_root_of(pp);
+        } else {
+            scale = M::reciprocal_root(pp);
+            length = pp * scale;
+        }
+        V cos_f, sin_f, cos_g, sin_g;
+        Motion::part(M::multiply_add(h.sine, q.u, h.cosine * q.w), length, s, cos_f, sin_f);
+        Motion::part(h.cosine, h.sine, t, cos_g, sin_g);
+        const V across = P == reproducible_index ? quotient(sin_f, length) : sin_f * scale;
+        const V on_p = across * M::multiply_add(h.sine, sin_g, h.cosine * cos_g);
+        const V on_k = across * M::negate_multiply_add(h.cosine, sin_g, h.sine * cos_g);
+        const V on_axis = cos_f * sin_g;
+        const rotor<V> e{M::multiply_add(on_k, kx, M::multiply_add(on_p, px, on_axis * q.ax)),
+                         M::multiply_add(on_k, ky, M::multiply_add(on_p, py, on_axis * q.ay)),
+                         M::multiply_add(on_k, kz, M::multiply_add(on_p, pz, on_axis * q.az)), cos_f * cos_g};
+        const rotor<V> between = Body ? hamilton<P>(a, e) : hamilton<P>(e, a);
+
+        const mask_of<V> finite = is_finite(dot_of<P>(between, between));
+        const mask_of<V> at_a = finite & (s == zero) & (t == zero), at_b = finite & (s == one) & (t == one);
+        put(either(at_a, a, either(at_b, flipped(b, way), between)), out);
+    }
+};
+
+}  // namespace
+}  // namespace swivel
+
+#endif
