@@ -59,14 +59,43 @@ inline rotor<V> either(mask_of<V> m, const rotor<V>& a, const rotor<V>& b) noexc
             xsimd::select(m, a.w, b.w)};
 }
 
+// The factor that brings b to the length of a, without which sum and difference are not at right angles.
+template <precision_index P, class V>
+inline V matching_length(const rotor<V>& a, const rotor<V>& b) noexcept {
+    const V aa = dot_of<P>(a, a), bb = dot_of<P>(b, b), floor(constants<scalar_of<V>>::pole_floor);
+    if constexpr (P == reproducible_index)
+        return square_root_of(quotient(aa, larger(floor, bb)));
+    else
+        return aa * arithmetic<P>::reciprocal_root(larger(floor, aa * bb));
+}
+
 template <class V>
 inline rotor<V> scaled(const rotor<V>& q, V by) noexcept {
     return {q.x * by, q.y * by, q.z * by, q.w * by};
 }
 
-template <class V>
-inline mask_of<V> is_finite(V sum_of_squares) noexcept {
-    return sum_of_squares < V(constants<scalar_of<V>>::infinity);
+// Of length 1; NaN where something is not finite.
+template <precision_index P, class V>
+inline rotor<V> normalized(const rotor<V>& q) noexcept {
+    const V zero(scalar_of<V>(0)), floor(constants<scalar_of<V>>::pole_floor);
+    const V squared = dot_of<P>(q, q);
+    // The quotient by an infinity would be 0.
+    const V no_less = larger(floor, arithmetic<P>::multiply_add(zero, squared, squared));
+    if constexpr (P == reproducible_index) {
+        const V root = square_root_of(no_less);
+        return {quotient(q.x, root), quotient(q.y, root), quotient(q.z, root), quotient(q.w, root)};
+    } else {
+        return scaled(q, arithmetic<P>::reciprocal_root(no_less));
+    }
+}
+
+// In reproducible the ends themselves, with all their bits, unless the result says that something is not finite.
+template <precision_index P, class V>
+inline rotor<V> with_ends(const rotor<V>& between, mask_of<V> at_a, const rotor<V>& a, mask_of<V> at_b,
+                          const rotor<V>& b) noexcept {
+    if constexpr (P == fast_index) return between;
+    const mask_of<V> regular = between.w == between.w;
+    return either(regular & at_a, a, either(regular & at_b, b, between));
 }
 
 template <class V>

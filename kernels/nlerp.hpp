@@ -20,26 +20,16 @@ struct nlerp_op {
         const V zero(T(0)), one(T(1));
         const rotor<V> a{in[0], in[1], in[2], in[3]}, given{in[4], in[5], in[6], in[7]};
         const V t = in[8], s = one - t;
-        const rotor<V> b = flipped(given, way_of<LongWay>(dot_of<P>(a, given)));
+        const V way = way_of<LongWay>(dot_of<P>(a, given));
+        const rotor<V> b = scaled(given, matching_length<P>(a, given) ^ way);
 
         rotor<V> m{M::multiply_add(t, b.x, s * a.x), M::multiply_add(t, b.y, s * a.y),
                    M::multiply_add(t, b.z, s * a.z), M::multiply_add(t, b.w, s * a.w)};
-        V mm = dot_of<P>(m, m);
-        // The quotient by an infinity would be 0.
-        mm = M::multiply_add(zero, mm, mm);
-        const mask_of<V> finite = is_finite(mm);
+        const V mm = dot_of<P>(m, m);
         // A chord through the middle has no direction there.
-        const mask_of<V> nothing = mm <= V(constants<T>::pole_threshold);
-        m = either(nothing, turned_about_x(a), m);
-        mm = xsimd::select(nothing, larger(V(constants<T>::pole_floor), dot_of<P>(a, a)), mm);
-        rotor<V> between;
-        if constexpr (P == reproducible_index) {
-            const V root = square_root_of(mm);
-            between = {quotient(m.x, root), quotient(m.y, root), quotient(m.z, root), quotient(m.w, root)};
-        } else {
-            between = scaled(m, M::reciprocal_root(mm));
-        }
-        put(either(finite & (t == zero), a, either(finite & (t == one), b, between)), out);
+        const mask_of<V> nothing = mm <= V(constants<T>::pole_threshold) * dot_of<P>(a, a);
+        const rotor<V> between = normalized<P>(either(nothing, turned_about_x(a), m));
+        put(with_ends<P>(between, t == zero, a, t == one, flipped(given, way)), out);
     }
 };
 

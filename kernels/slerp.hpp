@@ -26,7 +26,8 @@ struct slerp_op {
         const V zero(T(0)), one(T(1)), floor(constants<T>::pole_floor);
         const rotor<V> a{in[0], in[1], in[2], in[3]}, given{in[4], in[5], in[6], in[7]};
         const V t = in[8];
-        const rotor<V> b = flipped(given, way_of<LongWay>(dot_of<P>(a, given)));
+        const V way = way_of<LongWay>(dot_of<P>(a, given));
+        const rotor<V> b = scaled(given, matching_length<P>(a, given) ^ way);
 
         rotor<V> p{a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
         const rotor<V> n{b.x - a.x, b.y - a.y, b.z - a.z, b.w - a.w};
@@ -60,8 +61,7 @@ struct slerp_op {
         const rotor<V> between{
             M::multiply_add(across, n.x, along * p.x), M::multiply_add(across, n.y, along * p.y),
             M::multiply_add(across, n.z, along * p.z), M::multiply_add(across, n.w, along * p.w)};
-        const mask_of<V> finite = is_finite(pp + nn);
-        put(either(finite & (t == zero), a, either(finite & (t == one), b, between)), out);
+        put(with_ends<P>(between, t == zero, a, t == one, flipped(given, way)), out);
     }
 };
 

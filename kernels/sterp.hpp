@@ -111,11 +111,9 @@ struct sterp_op : Form {
         const rotor<V> e{M::multiply_add(on_k, kx, M::multiply_add(on_p, px, on_axis * q.ax)),
                          M::multiply_add(on_k, ky, M::multiply_add(on_p, py, on_axis * q.ay)),
                          M::multiply_add(on_k, kz, M::multiply_add(on_p, pz, on_axis * q.az)), cos_f * cos_g};
-        const rotor<V> between = Body ? hamilton<P>(a, e) : hamilton<P>(e, a);
-
-        const mask_of<V> finite = is_finite(dot_of<P>(between, between));
-        const mask_of<V> at_a = finite & (s == zero) & (t == zero), at_b = finite & (s == one) & (t == one);
-        put(either(at_a, a, either(at_b, flipped(b, way), between)), out);
+        const rotor<V> between = normalized<P>(Body ? hamilton<P>(a, e) : hamilton<P>(e, a));
+        put(with_ends<P>(between, (s == zero) & (t == zero), a, (s == one) & (t == one), flipped(b, way)),
+            out);
     }
 };
 

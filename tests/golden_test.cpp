@@ -1,11 +1,8 @@
 // The golden vectors: results of the exact inputs to 40 digits, with the tolerances that come with them.
 
-#include <gtest/gtest.h>
+#include "support/golden.hpp"
 
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <nlohmann/json.hpp>
+#include <gtest/gtest.h>
 
 #include "support/buffers.hpp"
 #include "support/exact.hpp"
@@ -28,25 +25,20 @@ struct vector {
     bool singular;
 };
 
-const std::filesystem::path golden_file = std::filesystem::path(SWIVEL_SHARED_DIR) / "golden" / "golden.json";
-
-std::vector<vector> read_golden() {
+std::vector<vector> read_golden(const nlohmann::json& section) {
     std::vector<vector> all;
-    const nlohmann::json root = nlohmann::json::parse(std::ifstream(golden_file));
-    for (const nlohmann::json& e : root.at("decompose")) {
+    for (const nlohmann::json& e : section) {
         vector v;
         v.category = e.at("k").get<std::string>();
-        const auto q = e.at("q").get<std::array<double, 4>>();
         const auto a = e.at("a").get<std::array<double, 3>>();
-        const auto s = e.at("s").get<std::array<double, 4>>();
         const auto r = e.at("r").get<std::array<double, 3>>();
-        v.q = {q[1], q[2], q[3], q[0]};
+        v.q = golden_quat(e.at("q"));
         v.a = {a[0], a[1], a[2]};
         v.closeness = e.at("rt").get<double>();
         v.tc = e.at("tc").get<double>();
         v.ts = e.at("ts").get<double>();
-        v.swing = {s[1], s[2], s[3], s[0]};
-        v.reversed = {r[0], r[1], r[2], s[0]};
+        v.swing = golden_quat(e.at("s"));
+        v.reversed = {r[0], r[1], r[2], v.swing.w};
         v.singular = e.value("sing", 0) == 1;
         all.push_back(v);
     }
@@ -101,11 +93,9 @@ void matches(const vector& v, const twist_axis<T>& by, bool coordinate, precisio
 
 template <class T>
 void all_vectors() {
-    if (!std::filesystem::exists(golden_file)) {
-        std::cerr << "SKIPPED: no golden vectors at " << golden_file << '\n';
-        GTEST_SKIP() << "no golden vectors at " << golden_file;
-    }
-    const std::vector<vector> all = read_golden();
+    const nlohmann::json section = golden_section("decompose");
+    if (section.is_null()) GTEST_SKIP() << "no golden vectors";
+    const std::vector<vector> all = read_golden(section);
     ASSERT_GE(all.size(), 100U);
     std::size_t checked = 0;
     for (const vector& v : all) {

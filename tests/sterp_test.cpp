@@ -134,19 +134,18 @@ void ends_are_exact() {
         return std::array{std::bit_cast<bits_of<T>>(q.x), std::bit_cast<bits_of<T>>(q.y),
                           std::bit_cast<bits_of<T>>(q.z), std::bit_cast<bits_of<T>>(q.w)};
     };
-    for (const precision p : both_precisions)
-        for (const frame in : {frame::world, frame::body})
-            for (const flavour motion : {flavour::slerp, flavour::nlerp})
-                for (const quat<T>& a : rotations) {
-                    const quat<T>& b = rotations[g() % rotations.size()];
-                    const options o{.accuracy = p, .axis_frame = in, .motion = motion};
-                    ASSERT_EQ(bits(one<T>(a, b, axis::y, T(0), T(0), o)), bits(a));
-                    const auto end = bits(one<T>(a, b, axis::y, T(1), T(1), o));
-                    ASSERT_TRUE(end == bits(b) || end == bits(quat<T>{-b.x, -b.y, -b.z, -b.w}));
-                }
+    for (const frame in : {frame::world, frame::body})
+        for (const flavour motion : {flavour::slerp, flavour::nlerp})
+            for (const quat<T>& a : rotations) {
+                const quat<T>& b = rotations[g() % rotations.size()];
+                const options o{.accuracy = precision::reproducible, .axis_frame = in, .motion = motion};
+                ASSERT_EQ(bits(one<T>(a, b, axis::y, T(0), T(0), o)), bits(a));
+                const auto end = bits(one<T>(a, b, axis::y, T(1), T(1), o));
+                ASSERT_TRUE(end == bits(b) || end == bits(quat<T>{-b.x, -b.y, -b.z, -b.w}));
+            }
 }
 
-TEST_P(Sterp, EndsHaveTheBitsOfTheInput) {
+TEST_P(Sterp, EndsHaveTheBitsOfTheInputInReproducible) {
     ends_are_exact<float>();
     ends_are_exact<double>();
 }

@@ -14,7 +14,8 @@
 //            options::motion: flavour::slerp, powers as they are; flavour::nlerp, S^s and T^t replaced by the normalised
 //            n((1 - s) + s S) and n((1 - t) + t T), the same paths at a speed that is not constant.
 //            (Chou's post prints the product in another order and without a; neither that nor its correction is right.)
-// Domain     Unit quaternions; the result is a unit quaternion. Any axis but 0. |s|, |t| <= 2^11 (double: 2^18), outside
+// Domain     Quaternions of any length from 2^-15 to 2^15 (double: 2^-120 to 2^120), of which only the direction counts;
+//            the result is a unit quaternion. Any axis but 0. |s|, |t| <= 2^11 (double: 2^18), outside
 //            of [0, 1] too; beyond, results are finite and mean nothing.
 // Pole       That of decompose: where D turns the axis into its opposite, T = (0, 0, 0, sgn w) and all of the turn is
 //            swing. Twist and swing are ill conditioned near it, their product is not.
@@ -23,7 +24,8 @@
 // Accuracy   In units of 2^-24 (float) and 2^-53 (double), by sterp_test.cpp, for s and t in [-0.25, 1.25] and D at
 //            r = sqrt(w^2 + (a.v)^2) from the pole: reproducible 4.6 + 2.3/r, norm 6; fast 5.6 + 2.8/r, norm 9. On the
 //            long way the direction of a twist near 360 degrees is as uncertain: r is then at most the sine of its half.
-// Identity   s = t = 0 gives the bits of a, s = t = 1 those of b (of -b, where that is on the way).
+// Identity   In reproducible s = t = 0 gives the bits of a, whatever its length, and s = t = 1 those of b (of -b, where that is on
+//            the way); in fast to rounding, of length 1.
 // Aliasing   The output may be exactly one of the streams that are read (types.hpp).
 // Cost       One pass, 8 streams in, 3 more for an axis and 1 more for each parameter per element, and 4 out.
 //            bench/README.md has figures.

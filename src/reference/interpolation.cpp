@@ -38,8 +38,28 @@ quat<T> on_the_way(const quat<T>& b, T product, bool long_way) {
 }
 
 template <class T>
+quat<T> with_length_of(const quat<T>& a, const quat<T>& b) {
+    const T scale = std::sqrt(dot(a, a) / floored(dot(b, b)));
+    return {b.x * scale, b.y * scale, b.z * scale, b.w * scale};
+}
+
+// NaN where something is not finite.
+template <class T>
+quat<T> unit_of(const quat<T>& q) {
+    const T length = std::sqrt(floored(finite_or_nan(dot(q, q))));
+    return {q.x / length, q.y / length, q.z / length, q.w / length};
+}
+
+// The ends themselves, unless the result says that something is not finite.
+template <class T>
+quat<T> with_ends(const quat<T>& between, bool at_a, const quat<T>& a, bool at_b, const quat<T>& b) {
+    if (std::isnan(between.w)) return between;
+    return at_a ? a : at_b ? b : between;
+}
+
+template <class T>
 quat<T> slerp_of(const quat<T>& a, const quat<T>& given, T t, bool long_way) {
-    const quat<T> b = on_the_way(given, dot(a, given), long_way);
+    const quat<T> end = on_the_way(given, dot(a, given), long_way), b = with_length_of(a, end);
     const quat<T> n{b.x - a.x, b.y - a.y, b.z - a.z, b.w - a.w};
     quat<T> p{a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
     const T nn = floored(dot(n, n));
@@ -53,27 +73,18 @@ quat<T> slerp_of(const quat<T>& a, const quat<T>& given, T t, bool long_way) {
         }
     }
     const T pp = floored(dot(p, p));
-    if (std::isfinite(pp + nn) && t == 0) return a;
-    if (std::isfinite(pp + nn) && t == 1) return b;
-
     const T p_length = std::sqrt(pp), n_length = std::sqrt(nn), half = atan2_of(n_length, p_length);
     const sine_cosine<T> f = sincos_of((t + t) * half + (0 - half));
-    return sum(f.cosine / p_length, p, f.sine / n_length, n);
+    return with_ends(sum(f.cosine / p_length, p, f.sine / n_length, n), t == 0, a, t == 1, end);
 }
 
 template <class T>
 quat<T> nlerp_of(const quat<T>& a, const quat<T>& given, T t, bool long_way) {
-    const quat<T> b = on_the_way(given, dot(a, given), long_way);
-    quat<T> m = sum(1 - t, a, t, b);
-    T mm = finite_or_nan(dot(m, m));
-    if (std::isfinite(mm) && t == 0) return a;
-    if (std::isfinite(mm) && t == 1) return b;
-    if (mm <= constants<T>::pole_threshold) {
-        m = turned_about_x(a);
-        mm = floored(dot(a, a));
-    }
-    const T length = std::sqrt(mm);
-    return {m.x / length, m.y / length, m.z / length, m.w / length};
+    const quat<T> end = on_the_way(given, dot(a, given), long_way);
+    const quat<T> m = sum(1 - t, a, t, with_length_of(a, end));
+    const T mm = dot(m, m);
+    const bool nothing = mm <= constants<T>::pole_threshold * dot(a, a);
+    return with_ends(unit_of(nothing ? turned_about_x(a) : m), t == 0, a, t == 1, end);
 }
 
 // The t-th part of a turn given by cosine and sine of its half.
@@ -112,13 +123,8 @@ quat<T> sterp_of(const quat<T>& a, const quat<T>& b, const unit_axis<T>& axis, T
     const T on_k = across * (twist.sine * g.cosine - twist.cosine * g.sine);
     const quat<T> e{(on_axis * l.x + on_p * p.x) + on_k * k.x, (on_axis * l.y + on_p * p.y) + on_k * k.y,
                     (on_axis * l.z + on_p * p.z) + on_k * k.z, f.cosine * g.cosine};
-    const quat<T> between = in_body ? hamilton(a, e) : hamilton(e, a);
-
-    if (std::isfinite(dot(between, between))) {
-        if (s == 0 && t == 0) return a;
-        if (s == 1 && t == 1) return flip ? minus(b) : b;
-    }
-    return between;
+    const quat<T> between = unit_of(in_body ? hamilton(a, e) : hamilton(e, a));
+    return with_ends(between, s == 0 && t == 0, a, s == 1 && t == 1, flip ? minus(b) : b);
 }
 
 template <class T, class Between>
