@@ -74,6 +74,51 @@ void compose(const T* swing, const T* twist, T* q, std::size_t n) noexcept {
     for (std::size_t i = 0; i < n; ++i) to[i] = s[i] * t[i];
 }
 
+template <class T>
+void slerp(const T* a, const T* b, const T* t, T* out, std::size_t n) noexcept {
+    const quaternion<T>*const from = array_of(a), *const to = array_of(b);
+    quaternion<T>* const result = array_of(out);
+    for (std::size_t i = 0; i < n; ++i) result[i] = from[i].slerp(t[i], to[i]);
+}
+
+template <class T>
+void nlerp(const T* a, const T* b, const T* t, T* out, std::size_t n) noexcept {
+    const quaternion<T>*const from = array_of(a), *const to = array_of(b);
+    quaternion<T>* const result = array_of(out);
+    for (std::size_t i = 0; i < n; ++i) {
+        const T s = from[i].dot(to[i]) < 0 ? -t[i] : t[i];
+        result[i].coeffs() = ((1 - t[i]) * from[i].coeffs() + s * to[i].coeffs()).normalized();
+    }
+}
+
+template <class T>
+void sterp(const T* a, const T* b, swivel::vec3<T> axis, const T* t, T* out, std::size_t n) noexcept {
+    const quaternion<T>*const from = array_of(a), *const to = array_of(b);
+    quaternion<T>* const result = array_of(out);
+    const vector<T> unit(axis.x, axis.y, axis.z);
+    for (std::size_t i = 0; i < n; ++i) {
+        quaternion<T> d = to[i] * from[i].conjugate();
+        if (d.w() < 0) d.coeffs() = -d.coeffs();
+        const quaternion<T> twist = twist_of(d, unit), swing = d * twist.conjugate();
+        const T length = swing.vec().norm(), half_swing = t[i] * std::atan2(length, swing.w());
+        const T half_twist = t[i] * std::atan2(twist.vec().dot(unit), twist.w());
+        quaternion<T> s, r;
+        s.w() = std::cos(half_swing);
+        s.vec() = length > 0 ? vector<T>(swing.vec() * (std::sin(half_swing) / length)) : vector<T>(0, 0, 0);
+        r.w() = std::cos(half_twist);
+        r.vec() = unit * std::sin(half_twist);
+        result[i] = s * r * from[i];
+    }
+}
+
+template void slerp(const float*, const float*, const float*, float*, std::size_t) noexcept;
+template void slerp(const double*, const double*, const double*, double*, std::size_t) noexcept;
+template void nlerp(const float*, const float*, const float*, float*, std::size_t) noexcept;
+template void nlerp(const double*, const double*, const double*, double*, std::size_t) noexcept;
+template void sterp(const float*, const float*, swivel::vec3<float>, const float*, float*,
+                    std::size_t) noexcept;
+template void sterp(const double*, const double*, swivel::vec3<double>, const double*, double*,
+                    std::size_t) noexcept;
 template void decompose(const float*, swivel::vec3<float>, float*, float*, std::size_t) noexcept;
 template void decompose(const double*, swivel::vec3<double>, double*, double*, std::size_t) noexcept;
 template void twist(const float*, swivel::vec3<float>, float*, std::size_t) noexcept;

@@ -75,6 +75,15 @@ void compose(const T* swing, const T* twist, T* q, std::size_t n) noexcept {
     for (std::size_t i = 0; i < n; ++i) to[i] = s[i] * t[i];
 }
 
+template <class T>
+void slerp(const T* a, const T* b, const T* t, T* out, std::size_t n) noexcept {
+    const quaternion<T>*const from = array_of(a), *const to = array_of(b);
+    quaternion<T>* const result = array_of(out);
+    for (std::size_t i = 0; i < n; ++i) result[i] = glm::slerp(from[i], to[i], t[i]);
+}
+
+template void slerp(const float*, const float*, const float*, float*, std::size_t) noexcept;
+template void slerp(const double*, const double*, const double*, double*, std::size_t) noexcept;
 template void decompose(const float*, swivel::vec3<float>, float*, float*, std::size_t) noexcept;
 template void decompose(const double*, swivel::vec3<double>, double*, double*, std::size_t) noexcept;
 template void twist(const float*, swivel::vec3<float>, float*, std::size_t) noexcept;

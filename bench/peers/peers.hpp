@@ -23,6 +23,14 @@ template <class T>
 void twist_angle(const T* q, swivel::vec3<T> a, T* radians, std::size_t n) noexcept;
 template <class T>
 void compose(const T* swing, const T* twist, T* q, std::size_t n) noexcept;
+// Between two rotations, a parameter for each: slerp and normalised lerp of the library, the short way; sterp by the
+// factors' angles with std::atan2, std::sin and std::cos.
+template <class T>
+void slerp(const T* a, const T* b, const T* t, T* out, std::size_t n) noexcept;
+template <class T>
+void nlerp(const T* a, const T* b, const T* t, T* out, std::size_t n) noexcept;
+template <class T>
+void sterp(const T* a, const T* b, swivel::vec3<T> axis, const T* t, T* out, std::size_t n) noexcept;
 }  // namespace eigen
 
 namespace glm_peer {
@@ -36,6 +44,8 @@ template <class T>
 void twist_angle(const T* q, swivel::vec3<T> a, T* radians, std::size_t n) noexcept;
 template <class T>
 void compose(const T* swing, const T* twist, T* q, std::size_t n) noexcept;
+template <class T>
+void slerp(const T* a, const T* b, const T* t, T* out, std::size_t n) noexcept;
 }  // namespace glm_peer
 
 // The compact form about z after Reynolds' article: one record of five numbers for each quaternion, with his

@@ -85,6 +85,16 @@ T* workload<T>::take(std::size_t count, memory::role r) {
 
 template <class T>
 swivel::quat_view<const T> workload<T>::rotations() {
+    return rotations_from(0);
+}
+
+template <class T>
+swivel::quat_view<const T> workload<T>::other_rotations() {
+    return rotations_from(distinct / 3);
+}
+
+template <class T>
+swivel::quat_view<const T> workload<T>::rotations_from(std::size_t first) {
     swivel::quat_view<T> q{};
     if (layout_ == layout::aos) {
         q = swivel::aos_xyzw(take(4 * n_, memory::role::read), n_);
@@ -94,7 +104,7 @@ swivel::quat_view<const T> workload<T>::rotations() {
         q = swivel::soa(stream[0], stream[1], stream[2], stream[3], n_);
     }
     for (std::size_t i = 0; i < n_; ++i) {
-        const sample& s = samples()[i % distinct];
+        const sample& s = samples()[(i + first) % distinct];
         const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i) * q.stride;
         q.x[at] = static_cast<T>(s.x);
         q.y[at] = static_cast<T>(s.y);
@@ -152,6 +162,13 @@ swivel::quat_view<T> workload<T>::quaternions() {
 template <class T>
 swivel::scalar_view<T> workload<T>::scalars() {
     return {take(n_, memory::role::written), n_, 1};
+}
+
+template <class T>
+swivel::scalar_view<const T> workload<T>::parameters() {
+    T* stream = take(n_, memory::role::read);
+    for (std::size_t i = 0; i < n_; ++i) stream[i] = static_cast<T>(i % distinct) / static_cast<T>(distinct);
+    return {stream, n_, 1};
 }
 
 template <class T>

@@ -41,11 +41,15 @@ public:
     workload(std::size_t n, layout l);
 
     swivel::quat_view<const T> rotations();
+    // Others than those, at all distances from them.
+    swivel::quat_view<const T> other_rotations();
     swivel::vec3_view<const T> axes();
     // Those of a decomposition about z.
     swivel::factor_view<const T> factors();
     swivel::quat_view<T> quaternions();
     swivel::scalar_view<T> scalars();
+    // From 0 to 1.
+    swivel::scalar_view<const T> parameters();
     swivel::factor_view<T> written_factors();
 
     // Plain streams of so many numbers for each element.
@@ -55,6 +59,7 @@ public:
     std::size_t size() const noexcept { return n_; }
 
 private:
+    swivel::quat_view<const T> rotations_from(std::size_t first);
     T* take(std::size_t count, memory::role r);
 
     std::size_t n_;

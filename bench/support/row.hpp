@@ -69,6 +69,7 @@ void add_twist_rows();
 void add_swing_rows();
 void add_twist_angle_rows();
 void add_compose_rows();
+void add_interpolation_rows();
 
 }  // namespace swivel_bench
 
