@@ -9,9 +9,7 @@
 // the pointers. The same way one coordinate form serves x, y and z, which are cyclic names (B, C; A) for one
 // another.
 
-#include "constants.hpp"
-#include "kernel_table.hpp"
-#include "ops.hpp"
+#include "normalize.hpp"
 
 namespace swivel {
 namespace {
@@ -174,9 +172,7 @@ struct unit_vector {
     V x, y, z;
 };
 
-// Streams in, after those of the quaternion: the axis x y z. Any length from the smallest subnormal number
-// on: a power of two brings the largest component to 2..4 before it is squared. Zero stays zero; NaN and
-// infinity become NaN.
+// Streams in, after those of the quaternion: the axis x y z, of any length.
 template <precision_index P, class V>
 struct per_element_form : vector_form<P, V> {
     using base = vector_form<P, V>;
@@ -192,29 +188,8 @@ struct per_element_form : vector_form<P, V> {
     }
 
     static unit_vector<V> normalized(V x, V y, V z) noexcept {
-        const V scale = reciprocal_power_of_two(larger(larger(magnitude(x), magnitude(y)), magnitude(z)));
-        x = x * scale;
-        y = y * scale;
-        z = z * scale;
-        const V squared =
-            M::fuses ? M::multiply_add(z, z, M::multiply_add(y, y, x * x)) : (x * x + y * y) + z * z;
-        const V no_less = larger(V(constants<T>::pole_floor), squared);
-        if constexpr (P == reproducible_index) {
-            const V root = square_root_of(no_less);
-            return {quotient(x, root), quotient(y, root), quotient(z, root)};
-        } else {
-            const V root = M::reciprocal_root(no_less);
-            return {x * root, y * root, z * root};
-        }
-    }
-
-    // 2^(1 - e) for 2^e <= a < 2^(e + 1), at most the largest power of two; 0 for infinity and NaN. Inverting
-    // the exponent bits of 2^e does it.
-    static V reciprocal_power_of_two(V a) noexcept {
-        const V exponent_bits(constants<T>::infinity);
-        const V largest(constants<T>::largest_power_of_two);
-        const V inverse = (a & exponent_bits) ^ exponent_bits;
-        return xsimd::select(inverse > largest, largest, inverse);
+        to_unit_length<P>(x, y, z);
+        return {x, y, z};
     }
 };
 

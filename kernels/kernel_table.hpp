@@ -48,13 +48,18 @@ struct operations {
     kernel<T> twist[axis_forms][2][precisions];  // sign_left, sign_positive
     kernel<T> swing[axis_forms][precisions];
     kernel<T> twist_angle[axis_forms][2][precisions];
-    kernel<T> compose[2][precisions];  // without, with signs
+    kernel<T> compose[2][precisions];  // without, with signs; without is multiply too
     kernel<T> compose_compact[2][precisions];
     kernel<T> slerp[2][precisions];  // the short, the long way
     kernel<T> nlerp[2][precisions];
     kernel<T> sterp[2][2][2][precisions];  // axis for each element, chord, body
     kernel<T> sincos[precisions];
     kernel<T> atan2[precisions];
+    kernel<T> conjugate;
+    kernel<T> normalize[precisions];
+    kernel<T> rotate[2][precisions];  // a rotation for each element, one for all
+    kernel<T> dot[precisions];
+    kernel<T> align_signs[precisions];
 };
 
 struct kernel_table {

@@ -3,10 +3,15 @@
 
 // The kernels of one ISA. isa/<isa>.cpp includes this and defines its table; nothing else there.
 
+#include "align_signs.hpp"
 #include "atan2.hpp"
 #include "compose.hpp"
+#include "conjugate.hpp"
 #include "decompose.hpp"
+#include "dot.hpp"
 #include "nlerp.hpp"
+#include "normalize.hpp"
+#include "rotate.hpp"
 #include "sincos.hpp"
 #include "slerp.hpp"
 #include "sterp.hpp"
@@ -71,6 +76,12 @@ struct fill {
         with_form<per_element, true>(table.sterp[true]);
         table.sincos[P] = loop<sincos_op<P, V>>;
         table.atan2[P] = loop<atan2_op<P, V>>;
+        table.conjugate = loop<conjugate_op<V>>;
+        table.normalize[P] = loop<normalize_op<P, V>>;
+        table.rotate[false][P] = loop<rotate_op<P, V>>;
+        table.rotate[true][P] = loop<rotate_by_one_op<P, V>>;
+        table.dot[P] = loop<dot_op<P, V>>;
+        table.align_signs[P] = loop<align_signs_op<P, V>>;
     }
 };
 

@@ -138,10 +138,27 @@ inline V one_signed_like(V a) noexcept {
 #endif
 }
 
-// The larger one; b where either is NaN. NEON and x86 differ in what max does with NaN, a select does not.
+// The larger one; b where either is NaN. The max of x86 does just that, that of NEON does not.
 template <class V>
 inline V larger(V a, V b) noexcept {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(_mm512_max_ps(a, b));
+    else
+        return V(_mm512_max_pd(a, b));
+#elif defined(__AVX2__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(_mm256_max_ps(a, b));
+    else
+        return V(_mm256_max_pd(a, b));
+#elif defined(__SSE2__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(_mm_max_ps(a, b));
+    else
+        return V(_mm_max_pd(a, b));
+#else
     return xsimd::select(a > b, a, b);
+#endif
 }
 
 // not (a <= b): true where either is NaN.
@@ -232,6 +249,12 @@ struct arithmetic {
         }
     }
 };
+
+// Adds NaN where a is infinite, so that an infinity does not leave as one.
+template <class M, class V>
+inline V nan_for_infinity(V a) noexcept {
+    return M::multiply_add(V(scalar_of<V>(0)), a, a);
+}
 
 #if defined(__AVX2__) && !defined(__AVX512F__)
 inline __m256i first_lanes_32(std::size_t count) noexcept {

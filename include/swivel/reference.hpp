@@ -93,6 +93,33 @@ status sterp(const quat_view<const double>& a, const quat_view<const double>& b,
              const twist_axis<double>& axis, const parameter<double>& swing, const parameter<double>& twist,
              const quat_view<double>& out, options = {}) noexcept;
 
+status multiply(const quat_view<const float>& a, const quat_view<const float>& b, const quat_view<float>& out,
+                options = {}) noexcept;
+status multiply(const quat_view<const double>& a, const quat_view<const double>& b,
+                const quat_view<double>& out, options = {}) noexcept;
+status conjugate(const quat_view<const float>& q, const quat_view<float>& out, options = {}) noexcept;
+status conjugate(const quat_view<const double>& q, const quat_view<double>& out, options = {}) noexcept;
+status normalize(const quat_view<const float>& q, const quat_view<float>& out, options = {}) noexcept;
+status normalize(const quat_view<const double>& q, const quat_view<double>& out, options = {}) noexcept;
+status rotate(const quat_view<const float>& q, const vec3_view<const float>& v, const vec3_view<float>& out,
+              options = {}) noexcept;
+status rotate(const quat_view<const double>& q, const vec3_view<const double>& v,
+              const vec3_view<double>& out, options = {}) noexcept;
+status rotate(const quat<float>& q, const vec3_view<const float>& v, const vec3_view<float>& out,
+              options = {}) noexcept;
+status rotate(const quat<double>& q, const vec3_view<const double>& v, const vec3_view<double>& out,
+              options = {}) noexcept;
+status dot(const quat_view<const float>& a, const quat_view<const float>& b, const scalar_view<float>& out,
+           options = {}) noexcept;
+status dot(const quat_view<const double>& a, const quat_view<const double>& b, const scalar_view<double>& out,
+           options = {}) noexcept;
+status align_signs(const quat_view<const float>& q, const quat_view<const float>& neighbour,
+                   const quat_view<float>& out, options = {}) noexcept;
+status align_signs(const quat_view<const double>& q, const quat_view<const double>& neighbour,
+                   const quat_view<double>& out, options = {}) noexcept;
+status align_signs(const quat_view<const float>& q, const quat_view<float>& out, options = {}) noexcept;
+status align_signs(const quat_view<const double>& q, const quat_view<double>& out, options = {}) noexcept;
+
 }  // namespace swivel::reference
 
 #endif

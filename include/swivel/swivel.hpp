@@ -3,12 +3,18 @@
 
 // Everything. Conventions and the contract that all operations share are in types.hpp.
 
+#include "swivel/align_signs.hpp"
 #include "swivel/atan2.hpp"
 #include "swivel/compose.hpp"
+#include "swivel/conjugate.hpp"
 #include "swivel/decompose.hpp"
+#include "swivel/dot.hpp"
 #include "swivel/isa.hpp"
+#include "swivel/multiply.hpp"
 #include "swivel/nlerp.hpp"
+#include "swivel/normalize.hpp"
 #include "swivel/reference.hpp"
+#include "swivel/rotate.hpp"
 #include "swivel/sincos.hpp"
 #include "swivel/slerp.hpp"
 #include "swivel/sterp.hpp"

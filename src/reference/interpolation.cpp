@@ -9,16 +9,6 @@ namespace swivel::reference {
 
 namespace {
 
-template <class T>
-quat<T> minus(const quat<T>& q) {
-    return {-q.x, -q.y, -q.z, -q.w};
-}
-
-template <class T>
-T dot(const quat<T>& a, const quat<T>& b) {
-    return ((a.x * b.x + a.y * b.y) + a.z * b.z) + a.w * b.w;
-}
-
 // a q + b r
 template <class T>
 quat<T> sum(T a, const quat<T>& q, T b, const quat<T>& r) {

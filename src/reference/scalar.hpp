@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -109,23 +110,54 @@ vec3<T> cross(const vec3<T>& l, const vec3<T>& r) {
     return {l.y * r.z - l.z * r.y, l.z * r.x - l.x * r.z, l.x * r.y - l.y * r.x};
 }
 
+template <class T>
+quat<T> minus(const quat<T>& q) {
+    return {-q.x, -q.y, -q.z, -q.w};
+}
+
+template <class T>
+T dot(const quat<T>& a, const quat<T>& b) {
+    return ((a.x * b.x + a.y * b.y) + a.z * b.z) + a.w * b.w;
+}
+
+// v + w t + u x t with t = 2 u x v and q = (u, w).
+template <class T>
+vec3<T> rotated(const vec3<T>& v, const quat<T>& q) {
+    const vec3<T> u{q.x, q.y, q.z}, half = cross(u, v);
+    const vec3<T> t{half.x + half.x, half.y + half.y, half.z + half.z}, turned = cross(u, t);
+    return {finite_or_nan(v.x + (turned.x + q.w * t.x)), finite_or_nan(v.y + (turned.y + q.w * t.y)),
+            finite_or_nan(v.z + (turned.z + q.w * t.z))};
+}
+
+// A power of two that brings the largest of some magnitudes to 2..4, as far as there is one.
+template <class T>
+T scale_for(std::initializer_list<T> magnitudes) {
+    T largest = 0;
+    for (T m : magnitudes) largest = largest > m ? largest : m;
+    if (!std::isfinite(largest)) return 0;
+    int exponent;
+    std::frexp(largest, &exponent);
+    const int most = std::numeric_limits<T>::max_exponent - 1;
+    return std::ldexp(T(1), 2 - exponent < most ? 2 - exponent : most);
+}
+
 // The axis of one element to unit length, by way of a power of two that keeps the squares in range. What
 // rounding left over is not known here.
 template <class T>
 unit_axis<T> normalized(const vec3<T>& v) {
-    T largest = std::fabs(v.x) > std::fabs(v.y) ? std::fabs(v.x) : std::fabs(v.y);
-    largest = largest > std::fabs(v.z) ? largest : std::fabs(v.z);
-    T scale = 0;
-    if (std::isfinite(largest)) {
-        int exponent;
-        std::frexp(largest, &exponent);
-        const int most = std::numeric_limits<T>::max_exponent - 1;
-        scale = std::ldexp(T(1), 2 - exponent < most ? 2 - exponent : most);
-    }
+    const T scale = scale_for({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
     const vec3<T> s{scale * v.x, scale * v.y, scale * v.z};
-    const T squared = (s.x * s.x + s.y * s.y) + s.z * s.z;
-    const T root = std::sqrt(floored(squared));
+    const T root = std::sqrt(floored((s.x * s.x + s.y * s.y) + s.z * s.z));
     return {s.x / root, s.y / root, s.z / root, 0};
+}
+
+// The same of a quaternion; the zero quaternion gives the identity.
+template <class T>
+quat<T> normalized(const quat<T>& q) {
+    const T scale = scale_for({std::fabs(q.x), std::fabs(q.y), std::fabs(q.z), std::fabs(q.w)});
+    const quat<T> s{scale * q.x, scale * q.y, scale * q.z, scale * q.w};
+    const T squared = dot(s, s), root = std::sqrt(floored(squared));
+    return {s.x / root, s.y / root, s.z / root, squared == 0 ? T(1) : s.w / root};
 }
 
 }  // namespace swivel::reference

@@ -74,6 +74,8 @@ template <class T>
 void add_swing_twist(std::vector<operation<T>>& all);
 template <class T>
 void add_angles(std::vector<operation<T>>& all);
+template <class T>
+void add_algebra(std::vector<operation<T>>& all);
 
 template <class T>
 void add_interpolation(std::vector<operation<T>>& all);
@@ -84,6 +86,7 @@ std::vector<operation<T>> all_operations() {
     add_swing_twist(all);
     add_angles(all);
     add_interpolation(all);
+    add_algebra(all);
     return all;
 }
 
