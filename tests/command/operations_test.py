@@ -150,6 +150,79 @@ class Operations(CommandTest):
         _, out = self.evaluate("decompose", near, "--pole-threshold", "1e-4")
         self.assertEqual(out[0][4:], [0, 0, 0, 1])
 
+    def test_multiply_is_the_hamilton_product(self):
+        a, b = random_rotations(60, 11), random_rotations(60, 12)
+        stdin = table("ax ay az aw bx by bz bw\n", [p + q for p, q in zip(a, b)])
+        for kind, tolerance in (("f64", 1e-15), ("f32", 1e-6)):
+            names, out = self.evaluate("multiply", stdin, "--type", kind)
+            self.assertEqual(names, "qx qy qz qw".split())
+            for p, q, row in zip(a, b, out):
+                self.assertNear(row, multiply(p, q), tolerance)
+
+    def test_conjugate_turns_the_vector_part_around(self):
+        rotations = random_rotations(20) + [(3, -4, 12, 84)]
+        names, out = self.evaluate("conjugate", table(HEADER, rotations))
+        self.assertEqual(names, "qx qy qz qw".split())
+        for q, row in zip(rotations, out):
+            self.assertEqual(tuple(row), conjugate(q))
+        self.assertEqual(self.succeeds("eval", "conjugate", stdin=HEADER + "nan -0.0 inf -1\n").stdout.splitlines()[1]
+                         .replace(b"-nan", b"nan"), b"nan,0,-inf,-1")
+
+    def test_normalize_divides_by_the_length_whatever_it_is(self):
+        rotations = random_rotations(40)
+        for scale, kind, tolerance in ((1, "f64", 1e-15), (1e-300, "f64", 1e-15), (1e307, "f64", 1e-15),
+                                       (1e-37, "f32", 1e-6), (1e38, "f32", 1e-6)):
+            stdin = table(HEADER, [[scale * c for c in q] for q in rotations])
+            _, out = self.evaluate("normalize", stdin, "--type", kind)
+            for q, row in zip(rotations, out):
+                self.assertNear(row, q, tolerance)
+        _, out = self.evaluate("normalize", HEADER + "0 0 0 0\n0 0 3 4\n", "--precision", "reproducible")
+        self.assertEqual(out, [[0, 0, 0, 1], [0, 0, 0.6, 0.8]])
+
+    def test_rotate_is_the_product_with_the_conjugate_on_both_sides(self):
+        generator = random.Random(13)
+        rotations = random_rotations(60)
+        vectors = [tuple(generator.uniform(-9, 9) for _ in range(3)) for _ in rotations]
+        stdin = table("vx vy vz " + HEADER, [v + q for v, q in zip(vectors, rotations)])
+        for layout in ("soa", "aos"):
+            names, out = self.evaluate("rotate", stdin, "--layout", layout)
+            self.assertEqual(names, ["rx", "ry", "rz"])
+            for q, v, row in zip(rotations, vectors, out):
+                self.assertNear(row, multiply(multiply(q, v + (0.0,)), conjugate(q))[:3])
+
+    def test_dot_is_the_sum_of_the_products(self):
+        a, b = random_rotations(60, 14), random_rotations(60, 15)
+        names, out = self.evaluate("dot", table("ax ay az aw bx by bz bw\n", [p + q for p, q in zip(a, b)]))
+        self.assertEqual(names, ["dot"])
+        for p, q, row in zip(a, b, out):
+            self.assertNear(row, [math.fsum(x * y for x, y in zip(p, q))], 1e-15)
+
+    def test_align_signs_takes_the_one_on_the_side_of_the_neighbour(self):
+        q, n = random_rotations(60, 16), random_rotations(60, 17)
+        names, out = self.evaluate("align_signs", table("qx qy qz qw nx ny nz nw\n", [p + r for p, r in zip(q, n)]))
+        self.assertEqual(names, "qx qy qz qw".split())
+        for p, r, row in zip(q, n, out):
+            self.assertEqual(row, [math.copysign(1, sum(x * y for x, y in zip(p, r))) * c for c in p])
+
+    def test_align_signs_of_a_sequence_goes_on_over_every_row(self):
+        # More rows than are read at a time, with a nan where the second block begins.
+        generator = random.Random(18)
+        curve = [(math.sin(0.001 * i), 0.5, 0.0, math.cos(0.001 * i)) for i in range(2 ** 16 + 3000)]
+        given = [q if i == 0 or generator.random() < 0.5 else tuple(-c for c in q) for i, q in enumerate(curve)]
+        for bad in (2 ** 16 - 1, 2 ** 16):
+            given[bad] = ("nan",) * 4
+        stdin = HEADER + "".join(" ".join(str(c) for c in q) + "\n" for q in given)
+        for kind, digits in (("f64", 15), ("f32", 6)):
+            _, out = self.evaluate("align_signs", stdin, "--sequence", "--type", kind)
+            self.assertEqual(len(out), len(curve))
+            for i, (q, row) in enumerate(zip(curve, out)):
+                if i in (2 ** 16 - 1, 2 ** 16):
+                    self.assertTrue(all(math.isnan(c) for c in row))
+                else:
+                    self.assertNear(row, q, 10 ** -digits)
+        self.fails(1, "<stdin>:1:13: unknown column 'nx'", "eval", "align_signs", "--sequence",
+                   stdin="qx qy qz qw nx ny nz nw\n")
+
 
 if __name__ == "__main__":
     main()

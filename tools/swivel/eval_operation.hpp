@@ -24,6 +24,9 @@ struct eval_settings {
     bool signs = false;
     parameter_argument t = number{0.5F, 0.5};
     swivel::options options;
+    // Each row goes on from the one before, over the blocks in which an operation gets them.
+    bool sequence = false;
+    mutable swivel::quat<double> last_of_sequence{};
 };
 
 struct eval_columns {
@@ -47,6 +50,8 @@ struct eval_operation {
 };
 
 extern const eval_operation eval_atan2, eval_sincos;
+extern const eval_operation eval_align_signs, eval_conjugate, eval_dot, eval_multiply, eval_normalize,
+    eval_rotate;
 extern const eval_operation eval_compose, eval_decompose, eval_swing, eval_twist, eval_twist_angle;
 
 [[nodiscard]] std::span<const eval_operation* const> eval_operations() noexcept;
