@@ -66,6 +66,10 @@ template void copy(const float* const (&)[1], float* const (&)[1], std::size_t) 
 template void copy(const double* const (&)[1], double* const (&)[1], std::size_t) noexcept;
 template void copy(const float* const (&)[2], float* const (&)[1], std::size_t) noexcept;
 template void copy(const double* const (&)[2], double* const (&)[1], std::size_t) noexcept;
+template void copy(const float* const (&)[7], float* const (&)[3], std::size_t) noexcept;
+template void copy(const double* const (&)[7], double* const (&)[3], std::size_t) noexcept;
+template void copy(const float* const (&)[3], float* const (&)[3], std::size_t) noexcept;
+template void copy(const double* const (&)[3], double* const (&)[3], std::size_t) noexcept;
 
 template void copy_by_memcpy(const float* const (&)[4], float* const (&)[8], std::size_t) noexcept;
 template void copy_by_memcpy(const double* const (&)[4], double* const (&)[8], std::size_t) noexcept;
@@ -79,5 +83,7 @@ template void copy_by_memcpy(const float* const (&)[1], float* const (&)[2], std
 template void copy_by_memcpy(const double* const (&)[1], double* const (&)[2], std::size_t) noexcept;
 template void copy_by_memcpy(const float* const (&)[1], float* const (&)[1], std::size_t) noexcept;
 template void copy_by_memcpy(const double* const (&)[1], double* const (&)[1], std::size_t) noexcept;
+template void copy_by_memcpy(const float* const (&)[3], float* const (&)[3], std::size_t) noexcept;
+template void copy_by_memcpy(const double* const (&)[3], double* const (&)[3], std::size_t) noexcept;
 
 }  // namespace swivel_bench

@@ -76,6 +76,29 @@ void compose(const T* swing, const T* twist, T* q, std::size_t n) noexcept {
 }
 
 template <class T>
+void normalize(const T* q, T* out, std::size_t n) noexcept {
+    const quaternion<T>* const from = array_of(q);
+    quaternion<T>* const to = array_of(out);
+    for (std::size_t i = 0; i < n; ++i) to[i] = glm::normalize(from[i]);
+}
+
+template <class T>
+void rotate(const T* q, const T* v, T* out, std::size_t n) noexcept {
+    const quaternion<T>* const by = array_of(q);
+    const vector<T>* const from = reinterpret_cast<const vector<T>*>(v);
+    vector<T>* const to = reinterpret_cast<vector<T>*>(out);
+    for (std::size_t i = 0; i < n; ++i) to[i] = by[i] * from[i];
+}
+
+template <class T>
+void rotate_by_one(swivel::quat<T> q, const T* v, T* out, std::size_t n) noexcept {
+    const quaternion<T> by(q.w, q.x, q.y, q.z);
+    const vector<T>* const from = reinterpret_cast<const vector<T>*>(v);
+    vector<T>* const to = reinterpret_cast<vector<T>*>(out);
+    for (std::size_t i = 0; i < n; ++i) to[i] = by * from[i];
+}
+
+template <class T>
 void slerp(const T* a, const T* b, const T* t, T* out, std::size_t n) noexcept {
     const quaternion<T>*const from = array_of(a), *const to = array_of(b);
     quaternion<T>* const result = array_of(out);
@@ -94,5 +117,11 @@ template void twist_angle(const float*, swivel::vec3<float>, float*, std::size_t
 template void twist_angle(const double*, swivel::vec3<double>, double*, std::size_t) noexcept;
 template void compose(const float*, const float*, float*, std::size_t) noexcept;
 template void compose(const double*, const double*, double*, std::size_t) noexcept;
+template void normalize(const float*, float*, std::size_t) noexcept;
+template void normalize(const double*, double*, std::size_t) noexcept;
+template void rotate(const float*, const float*, float*, std::size_t) noexcept;
+template void rotate(const double*, const double*, double*, std::size_t) noexcept;
+template void rotate_by_one(swivel::quat<float>, const float*, float*, std::size_t) noexcept;
+template void rotate_by_one(swivel::quat<double>, const double*, double*, std::size_t) noexcept;
 
 }  // namespace swivel_bench::glm_peer

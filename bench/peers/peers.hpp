@@ -23,6 +23,12 @@ template <class T>
 void twist_angle(const T* q, swivel::vec3<T> a, T* radians, std::size_t n) noexcept;
 template <class T>
 void compose(const T* swing, const T* twist, T* q, std::size_t n) noexcept;
+template <class T>
+void normalize(const T* q, T* out, std::size_t n) noexcept;
+template <class T>
+void rotate(const T* q, const T* v, T* out, std::size_t n) noexcept;
+template <class T>
+void rotate_by_one(swivel::quat<T> q, const T* v, T* out, std::size_t n) noexcept;
 // Between two rotations, a parameter for each: slerp and normalised lerp of the library, the short way; sterp by the
 // factors' angles with std::atan2, std::sin and std::cos.
 template <class T>
@@ -44,6 +50,12 @@ template <class T>
 void twist_angle(const T* q, swivel::vec3<T> a, T* radians, std::size_t n) noexcept;
 template <class T>
 void compose(const T* swing, const T* twist, T* q, std::size_t n) noexcept;
+template <class T>
+void normalize(const T* q, T* out, std::size_t n) noexcept;
+template <class T>
+void rotate(const T* q, const T* v, T* out, std::size_t n) noexcept;
+template <class T>
+void rotate_by_one(swivel::quat<T> q, const T* v, T* out, std::size_t n) noexcept;
 template <class T>
 void slerp(const T* a, const T* b, const T* t, T* out, std::size_t n) noexcept;
 }  // namespace glm_peer
@@ -104,6 +116,17 @@ struct plain {
     static void compose_compact(const T* __restrict s1, const T* __restrict s2, const T* __restrict sc,
                                 const T* __restrict ts, const T* __restrict tc, T* __restrict x,
                                 T* __restrict y, T* __restrict z, T* __restrict w, std::size_t n) noexcept;
+    static void normalize(const T* __restrict x, const T* __restrict y, const T* __restrict z,
+                          const T* __restrict w, T* __restrict ox, T* __restrict oy, T* __restrict oz,
+                          T* __restrict ow, std::size_t n) noexcept;
+    static void rotate(const T* __restrict x, const T* __restrict y, const T* __restrict z,
+                       const T* __restrict w, const T* __restrict vx, const T* __restrict vy,
+                       const T* __restrict vz, T* __restrict ox, T* __restrict oy, T* __restrict oz,
+                       std::size_t n) noexcept;
+    // Along a sequence.
+    static void align_signs(const T* __restrict x, const T* __restrict y, const T* __restrict z,
+                            const T* __restrict w, T* __restrict ox, T* __restrict oy, T* __restrict oz,
+                            T* __restrict ow, std::size_t n) noexcept;
 };
 
 }  // namespace swivel_bench

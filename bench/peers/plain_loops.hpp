@@ -129,6 +129,48 @@ void plain<T, Width>::compose_compact(const T* __restrict s1, const T* __restric
     }
 }
 
+template <class T, class Width>
+void plain<T, Width>::normalize(const T* __restrict x, const T* __restrict y, const T* __restrict z,
+                                const T* __restrict w, T* __restrict ox, T* __restrict oy, T* __restrict oz,
+                                T* __restrict ow, std::size_t n) noexcept {
+    for (std::size_t i = 0; i < n; ++i) {
+        const T scale = 1 / std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i] + w[i] * w[i]);
+        ox[i] = x[i] * scale;
+        oy[i] = y[i] * scale;
+        oz[i] = z[i] * scale;
+        ow[i] = w[i] * scale;
+    }
+}
+
+template <class T, class Width>
+void plain<T, Width>::rotate(const T* __restrict x, const T* __restrict y, const T* __restrict z,
+                             const T* __restrict w, const T* __restrict vx, const T* __restrict vy,
+                             const T* __restrict vz, T* __restrict ox, T* __restrict oy, T* __restrict oz,
+                             std::size_t n) noexcept {
+    for (std::size_t i = 0; i < n; ++i) {
+        const T tx = 2 * (y[i] * vz[i] - z[i] * vy[i]);
+        const T ty = 2 * (z[i] * vx[i] - x[i] * vz[i]);
+        const T tz = 2 * (x[i] * vy[i] - y[i] * vx[i]);
+        ox[i] = vx[i] + w[i] * tx + (y[i] * tz - z[i] * ty);
+        oy[i] = vy[i] + w[i] * ty + (z[i] * tx - x[i] * tz);
+        oz[i] = vz[i] + w[i] * tz + (x[i] * ty - y[i] * tx);
+    }
+}
+
+template <class T, class Width>
+void plain<T, Width>::align_signs(const T* __restrict x, const T* __restrict y, const T* __restrict z,
+                                  const T* __restrict w, T* __restrict ox, T* __restrict oy, T* __restrict oz,
+                                  T* __restrict ow, std::size_t n) noexcept {
+    T px = 0, py = 0, pz = 0, pw = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const T sign = x[i] * px + y[i] * py + z[i] * pz + w[i] * pw < 0 ? T(-1) : T(1);
+        ox[i] = px = sign * x[i];
+        oy[i] = py = sign * y[i];
+        oz[i] = pz = sign * z[i];
+        ow[i] = pw = sign * w[i];
+    }
+}
+
 }  // namespace swivel_bench
 
 #endif

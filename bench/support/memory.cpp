@@ -160,6 +160,14 @@ swivel::quat_view<T> workload<T>::quaternions() {
 }
 
 template <class T>
+swivel::vec3_view<T> workload<T>::vectors() {
+    if (layout_ == layout::aos) return swivel::aos_xyz(take(3 * n_, memory::role::written), n_);
+    T* stream[3];
+    for (T*& s : stream) s = take(n_, memory::role::written);
+    return swivel::soa(stream[0], stream[1], stream[2], n_);
+}
+
+template <class T>
 swivel::scalar_view<T> workload<T>::scalars() {
     return {take(n_, memory::role::written), n_, 1};
 }

@@ -47,6 +47,7 @@ public:
     // Those of a decomposition about z.
     swivel::factor_view<const T> factors();
     swivel::quat_view<T> quaternions();
+    swivel::vec3_view<T> vectors();
     swivel::scalar_view<T> scalars();
     // From 0 to 1.
     swivel::scalar_view<const T> parameters();

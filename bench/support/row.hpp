@@ -70,6 +70,7 @@ void add_swing_rows();
 void add_twist_angle_rows();
 void add_compose_rows();
 void add_interpolation_rows();
+void add_algebra_rows();
 
 }  // namespace swivel_bench
 
