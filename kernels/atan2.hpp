@@ -9,9 +9,17 @@
 namespace swivel {
 namespace {
 
-// The angle of the point (x, y), in [-pi, pi]; (0, 0) counts as (+-1, 0): no libm gives the same bits on two systems. The quotient of the smaller by the larger coordinate is brought to at most 1/2 by
-// turning the point back by pi/4, so that a short polynomial serves; the angle is then k pi/4 plus or minus
-// its value, with k pi/4 in two parts of which the first is exact.
+// For |z| <= 1.
+template <precision_index P, class V>
+inline V atan_of(V z) noexcept {
+    using M = arithmetic<P>;
+    const V s = z * z;
+    return M::multiply_add(z * s, polynomial<M>(s, constants<scalar_of<V>>::atan), z);
+}
+
+// The angle of the point (x, y), in [-pi, pi]; (0, 0) counts as (+-1, 0): no libm gives the same bits on two systems.
+// It is k pi/2 plus or minus that of the quotient of the smaller by the larger coordinate, with k pi/2 in two parts of
+// which the first is exact.
 template <precision_index P, class V>
 inline V atan2_of(V y, V x) noexcept {
     using T = scalar_of<V>;
@@ -22,23 +30,27 @@ inline V atan2_of(V y, V x) noexcept {
     const mask_of<V> steep = ay > ax;
     const V small = xsimd::select(steep, ax, ay);
     const V large = xsimd::select(steep, ay, ax);
-    const mask_of<V> turned = small > V(T(0.5)) * large;
-    const V divisor = xsimd::select(turned, small + large, large);
-    const V z =
-        quotient(xsimd::select(turned, small - large, small), xsimd::select(divisor == zero, one, divisor));
+    V rest = atan_of<P>(quotient(small, xsimd::select(large == zero, one, large)));
 
-    const V s = z * z;
-    V rest = M::multiply_add(z * s, polynomial<M>(s, C::atan), z);
-
-    V eighths = xsimd::select(turned, one, zero);
-    eighths = xsimd::select(steep, V(T(2)) - eighths, eighths);
+    V quarters = xsimd::select(steep, one, zero);
     rest = xsimd::select(steep, zero - rest, rest);
     const mask_of<V> left = one_signed_like(x) < zero;
-    eighths = xsimd::select(left, V(T(4)) - eighths, eighths);
+    quarters = xsimd::select(left, V(T(2)) - quarters, quarters);
     rest = xsimd::select(left, zero - rest, rest);
 
-    const V angle = eighths * V(C::quarter_pi) + M::multiply_add(eighths, V(C::quarter_pi_rest), rest);
+    const V angle = quarters * V(C::half_pi) + M::multiply_add(quarters, V(C::half_pi_rest), rest);
     return angle ^ sign_of(y);
+}
+
+// The same of a point at that distance from (0, 0), without a comparison of its coordinates: twice the angle at half
+// the way, whose tangent is y / (distance + |x|).
+template <precision_index P, class V>
+inline V angle_of(V y, V x, V distance) noexcept {
+    using T = scalar_of<V>;
+    const V half = atan_of<P>(quotient(y, distance + magnitude(x)));
+    const V right = half + half;
+    const mask_of<V> left = one_signed_like(x) < V(T(0));
+    return xsimd::select(left, (V(constants<T>::pi) ^ sign_of(y)) - right, right);
 }
 
 // Streams in: y x. Out: the angle.

@@ -22,10 +22,10 @@ inline rotor<V> turned_about_x(const rotor<V>& q) noexcept {
     return {q.w, V(scalar_of<V>(0)) - q.z, q.y, V(scalar_of<V>(0)) - q.x};
 }
 
-// The factor that brings b to the length of a, without which sum and difference are not at right angles.
+// |a| / |b| from their squares: the factor that brings b to the length of a.
 template <precision_index P, class V>
-inline V matching_length(const rotor<V>& a, const rotor<V>& b) noexcept {
-    const V aa = dot_of<P>(a, a), bb = dot_of<P>(b, b), floor(constants<scalar_of<V>>::pole_floor);
+inline V ratio_of_lengths(V aa, V bb) noexcept {
+    const V floor(constants<scalar_of<V>>::pole_floor);
     if constexpr (P == reproducible_index)
         return square_root_of(quotient(aa, larger(floor, bb)));
     else

@@ -21,7 +21,7 @@ struct nlerp_op {
         const rotor<V> a{in[0], in[1], in[2], in[3]}, given{in[4], in[5], in[6], in[7]};
         const V t = in[8], s = one - t;
         const V way = way_of<LongWay>(dot_of<P>(a, given));
-        const rotor<V> b = scaled(given, matching_length<P>(a, given) ^ way);
+        const rotor<V> b = scaled(given, ratio_of_lengths<P>(dot_of<P>(a, a), dot_of<P>(given, given)) ^ way);
 
         rotor<V> m{M::multiply_add(t, b.x, s * a.x), M::multiply_add(t, b.y, s * a.y),
                    M::multiply_add(t, b.z, s * a.z), M::multiply_add(t, b.w, s * a.w)};

@@ -138,6 +138,50 @@ inline V one_signed_like(V a) noexcept {
 #endif
 }
 
+// Whether that bit is set: that of 1, 2, 4 ...
+template <int Bit, class V>
+inline mask_of<V> has_bit(V a) noexcept {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return mask_of<V>(_mm512_test_epi32_mask(_mm512_castps_si512(a), _mm512_set1_epi32(1 << Bit)));
+    else
+        return mask_of<V>(_mm512_test_epi64_mask(_mm512_castpd_si512(a), _mm512_set1_epi64(1LL << Bit)));
+#else
+    using T = scalar_of<V>;
+    using bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+    // Beside the bits of 1, since a comparison may take a number as small as that bit alone for 0.
+    const V one(T(1)), bit(__builtin_bit_cast(T, static_cast<bits>(bits{1} << Bit)));
+    return ((a & bit) | one) > one;
+#endif
+}
+
+// That bit as the sign of 0.
+template <int Bit, class V>
+inline V sign_from_bit(V a) noexcept {
+    constexpr int shift = static_cast<int>(8 * sizeof(scalar_of<V>)) - 1 - Bit;
+#if defined(__AVX512F__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return sign_of(V(_mm512_castsi512_ps(_mm512_slli_epi32(_mm512_castps_si512(a), shift))));
+    else
+        return sign_of(V(_mm512_castsi512_pd(_mm512_slli_epi64(_mm512_castpd_si512(a), shift))));
+#elif defined(__AVX2__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return sign_of(V(_mm256_castsi256_ps(_mm256_slli_epi32(_mm256_castps_si256(a), shift))));
+    else
+        return sign_of(V(_mm256_castsi256_pd(_mm256_slli_epi64(_mm256_castpd_si256(a), shift))));
+#elif defined(__SSE2__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return sign_of(V(_mm_castsi128_ps(_mm_slli_epi32(_mm_castps_si128(a), shift))));
+    else
+        return sign_of(V(_mm_castsi128_pd(_mm_slli_epi64(_mm_castpd_si128(a), shift))));
+#else
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return sign_of(V(vreinterpretq_f32_u32(vshlq_n_u32(vreinterpretq_u32_f32(a), shift))));
+    else
+        return sign_of(V(vreinterpretq_f64_u64(vshlq_n_u64(vreinterpretq_u64_f64(a), shift))));
+#endif
+}
+
 // The larger one; b where either is NaN. The max of x86 does just that, that of NEON does not.
 template <class V>
 inline V larger(V a, V b) noexcept {

@@ -6,13 +6,24 @@
 namespace swivel {
 namespace {
 
-// c[K] + c[K + 1] x + ..., by Horner's rule, without a loop that could be left rolled up.
-template <class M, std::size_t K = 0, class V, std::size_t N>
-inline V polynomial(V x, const scalar_of<V> (&c)[N]) noexcept {
-    if constexpr (K + 1 == N)
+// c[K] + c[K + Step] x + ..., by Horner's rule, without a loop that could be left rolled up.
+template <class M, std::size_t K, std::size_t Step, class V, std::size_t N>
+inline V horner(V x, const scalar_of<V> (&c)[N]) noexcept {
+    if constexpr (K + Step >= N)
         return V(c[K]);
     else
-        return M::multiply_add(polynomial<M, K + 1>(x, c), x, V(c[K]));
+        return M::multiply_add(horner<M, K + Step, Step>(x, c), x, V(c[K]));
+}
+
+// c[0] + c[1] x + ...; the long ones as two chains that do not wait for each other.
+template <class M, class V, std::size_t N>
+inline V polynomial(V x, const scalar_of<V> (&c)[N]) noexcept {
+    if constexpr (N < 5) {
+        return horner<M, 0, 1>(x, c);
+    } else {
+        const V xx = x * x;
+        return M::multiply_add(horner<M, 1, 2>(xx, c), x, horner<M, 0, 2>(xx, c));
+    }
 }
 
 }  // namespace

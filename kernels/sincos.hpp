@@ -21,24 +21,27 @@ inline void sincos_of(V x, V& sine, V& cosine) noexcept {
     const V size = magnitude(x);
     V r = xsimd::select(size > V(C::largest_angle), zero * size, size);
 
-    // The sum has k in its lowest bits; they are looked at beside the bits of 1, since a comparison may take a number
-    // as small as these bits alone for 0.
+    // The sum has k in its lowest bits.
     const V rounded = M::multiply_add(r, V(C::two_over_pi), V(C::round));
     const V k = rounded - V(C::round);
-    const mask_of<V> odd = ((rounded & V(C::bit_0)) | one) > one;
-    const mask_of<V> upper = ((rounded & V(C::bit_1)) | one) > one;
-
-    // Exact, up to here; what the difference of the third product rounds off goes back in with the fourth.
-    const V rest = (r - k * V(C::half_pi[0])) - k * V(C::half_pi[1]), third = k * V(C::half_pi[2]);
-    const V reduced = rest - third;
-    r = reduced + (((rest - reduced) - third) - k * V(C::half_pi[3]));
+    if constexpr (M::fuses) {
+        r = M::negate_multiply_add(k, V(C::half_pi_fused[0]), r);
+        r = M::negate_multiply_add(k, V(C::half_pi_fused[1]), r);
+        r = M::negate_multiply_add(k, V(C::half_pi_fused[2]), r);
+    } else {
+        // Exact, up to here; what the difference of the third product rounds off goes back in with the fourth.
+        const V rest = (r - k * V(C::half_pi_parts[0])) - k * V(C::half_pi_parts[1]);
+        const V third = k * V(C::half_pi_parts[2]), reduced = rest - third;
+        r = reduced + (((rest - reduced) - third) - k * V(C::half_pi_parts[3]));
+    }
     const V s = r * r;
     const V sin_r = M::multiply_add(r * s, polynomial<M>(s, C::sin), r);
     const V cos_r =
         M::multiply_add(s * s, polynomial<M>(s, C::cos), M::negate_multiply_add(V(T(0.5)), s, one));
-    const V minus(T(-0.0)), sign = xsimd::select(upper, minus, zero);
+    const mask_of<V> odd = has_bit<0>(rounded);
+    const V sign = sign_from_bit<1>(rounded);
     sine = xsimd::select(odd, cos_r, sin_r) ^ sign ^ sign_of(x);
-    cosine = xsimd::select(odd, sin_r, cos_r) ^ sign ^ xsimd::select(odd, minus, zero);
+    cosine = xsimd::select(odd, sin_r, cos_r) ^ sign ^ sign_from_bit<0>(rounded);
 }
 
 // Streams in: the angle. Out: its sine and cosine.

@@ -12,10 +12,10 @@ namespace {
 // A part of a turn, as cosine and sine of its half, at constant speed.
 template <precision_index P>
 struct constant_speed {
-    // Of the turn whose half is h: its half angle times t.
+    // The t-th part of the turn whose half has that cosine and sine, times `length`.
     template <class V>
-    static void part(V cosine, V sine, V t, V& part_cosine, V& part_sine) noexcept {
-        sincos_of<P>(t * atan2_of<P>(sine, cosine), part_sine, part_cosine);
+    static void part(V cosine, V sine, V length, V t, V& part_cosine, V& part_sine) noexcept {
+        sincos_of<P>(t * angle_of<P>(sine, cosine, length), part_sine, part_cosine);
     }
 };
 
@@ -23,14 +23,14 @@ struct constant_speed {
 template <precision_index P>
 struct along_the_chord {
     template <class V>
-    static void part(V cosine, V sine, V t, V& part_cosine, V& part_sine) noexcept {
+    static void part(V cosine, V sine, V length, V t, V& part_cosine, V& part_sine) noexcept {
         using T = scalar_of<V>;
         using M = arithmetic<P>;
         const V zero(T(0)), one(T(1));
-        V x = M::multiply_add(t, cosine, one - t), y = t * sine;
+        V x = M::multiply_add(t, cosine, (one - t) * length), y = t * sine;
         V squared = M::multiply_add(y, y, x * x);
         // The middle of a full turn is a half turn, the way that a sine of 0 belongs to.
-        const mask_of<V> nothing = squared <= V(constants<T>::pole_threshold);
+        const mask_of<V> nothing = squared <= V(constants<T>::pole_threshold) * length;
         x = xsimd::select(nothing, zero, x);
         y = xsimd::select(nothing, one_signed_like(sine), y);
         squared = xsimd::select(nothing, one, squared);
@@ -92,18 +92,21 @@ struct sterp_op : Form {
         const V kx = M::negate_multiply_add(q.az, py, q.ay * pz),
                 ky = M::negate_multiply_add(q.ax, pz, q.az * px),
                 kz = M::negate_multiply_add(q.ay, px, q.ax * py);
-        const V pp =
-            larger(V(constants<T>::pole_floor), M::multiply_add(pz, pz, M::multiply_add(py, py, px * px)));
-        V length, scale;
+        const V floor(constants<T>::pole_floor), r = M::multiply_add(h.sine, q.u, h.cosine * q.w);
+        const V pp = larger(floor, M::multiply_add(pz, pz, M::multiply_add(py, py, px * px)));
+        const V dd = M::multiply_add(r, r, pp);
+        V length, scale, whole;
         if constexpr (P == reproducible_index) {
             length = square_root_of(pp);
+            whole = square_root_of(dd);
         } else {
             scale = M::reciprocal_root(pp);
             length = pp * scale;
+            whole = dd * M::reciprocal_root(dd);
         }
         V cos_f, sin_f, cos_g, sin_g;
-        Motion::part(M::multiply_add(h.sine, q.u, h.cosine * q.w), length, s, cos_f, sin_f);
-        Motion::part(h.cosine, h.sine, t, cos_g, sin_g);
+        Motion::part(r, length, whole, s, cos_f, sin_f);
+        Motion::part(h.cosine, h.sine, one, t, cos_g, sin_g);
         const V across = P == reproducible_index ? quotient(sin_f, length) : sin_f * scale;
         const V on_p = across * M::multiply_add(h.sine, sin_g, h.cosine * cos_g);
         const V on_k = across * M::negate_multiply_add(h.cosine, sin_g, h.sine * cos_g);

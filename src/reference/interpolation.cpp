@@ -47,25 +47,49 @@ quat<T> with_ends(const quat<T>& between, bool at_a, const quat<T>& a, bool at_b
     return at_a ? a : at_b ? b : between;
 }
 
+// Weights of p and n, which are at right angles, on the way from -h to h, half the angle between a and b.
 template <class T>
-quat<T> slerp_of(const quat<T>& a, const quat<T>& given, T t, bool long_way) {
-    const quat<T> end = on_the_way(given, dot(a, given), long_way), b = with_length_of(a, end);
+struct slerp_weights {
+    T along, across;
+};
+
+template <class T>
+slerp_weights<T> weights_of(T pp, T nn, T t, bool p_is_shorter) {
+    const T p = std::sqrt(floored(pp)), n = std::sqrt(floored(nn));
+    const T half =
+        p_is_shorter ? constants<T>::half_pi + (constants<T>::half_pi_rest - atan_of(p / n)) : atan_of(n / p);
+    const sine_cosine<T> f = sincos_of((t * 2 + -1) * half);
+    return {f.cosine / p, f.sine / n};
+}
+
+template <class T>
+quat<T> short_slerp(const quat<T>& a, const quat<T>& b, T t) {
+    const T product = dot(a, b), aa = dot(a, a), ratio = std::sqrt(aa / floored(dot(b, b)));
+    const T scale = product < 0 ? -ratio : ratio, same_length = std::fabs(product) * ratio;
+    const quat<T> n{a.x - scale * b.x, a.y - scale * b.y, a.z - scale * b.z, a.w - scale * b.w};
+    const auto [along, across] = weights_of((aa + aa) + (same_length + same_length), dot(n, n), t, false);
+    return sum(along - across, a, (along + across) * scale, b);
+}
+
+template <class T>
+quat<T> long_slerp(const quat<T>& a, const quat<T>& b, T t) {
     const quat<T> n{b.x - a.x, b.y - a.y, b.z - a.z, b.w - a.w};
     quat<T> p{a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
-    const T nn = floored(dot(n, n));
-    if (long_way) {
-        const T part = dot(p, n) / nn;
-        p = {p.x - part * n.x, p.y - part * n.y, p.z - part * n.z, p.w - part * n.w};
-        if (dot(p, p) <= constants<T>::pole_threshold * nn) {
-            const quat<T> turned = turned_about_x(n);
-            p = {turned.x * T(-0x1p-40), turned.y * T(-0x1p-40), turned.z * T(-0x1p-40),
-                 turned.w * T(-0x1p-40)};
-        }
+    const T nn = dot(n, n), part = dot(p, n) / floored(nn);
+    p = {p.x - part * n.x, p.y - part * n.y, p.z - part * n.z, p.w - part * n.w};
+    if (dot(p, p) <= constants<T>::pole_threshold * nn) {
+        const quat<T> turned = turned_about_x(n);
+        p = {turned.x * T(-0x1p-40), turned.y * T(-0x1p-40), turned.z * T(-0x1p-40), turned.w * T(-0x1p-40)};
     }
-    const T pp = floored(dot(p, p));
-    const T p_length = std::sqrt(pp), n_length = std::sqrt(nn), half = atan2_of(n_length, p_length);
-    const sine_cosine<T> f = sincos_of((t + t) * half + (0 - half));
-    return with_ends(sum(f.cosine / p_length, p, f.sine / n_length, n), t == 0, a, t == 1, end);
+    const auto [along, across] = weights_of(dot(p, p), nn, t, true);
+    return sum(along, p, across, n);
+}
+
+template <class T>
+quat<T> slerp_of(const quat<T>& a, const quat<T>& b, T t, bool long_way) {
+    const quat<T> end = on_the_way(b, dot(a, b), long_way);
+    const quat<T> between = long_way ? long_slerp(a, with_length_of(a, end), t) : short_slerp(a, b, t);
+    return with_ends(between, t == 0, a, t == 1, end);
 }
 
 template <class T>
@@ -77,17 +101,18 @@ quat<T> nlerp_of(const quat<T>& a, const quat<T>& given, T t, bool long_way) {
     return with_ends(unit_of(nothing ? turned_about_x(a) : m), t == 0, a, t == 1, end);
 }
 
-// The t-th part of a turn given by cosine and sine of its half.
+// The t-th part of a turn whose half has that cosine and sine, times `length`.
 template <class T>
-sine_cosine<T> part_of_turn(T cosine, T sine, T t, flavour motion) {
-    if (motion == flavour::slerp) return sincos_of(t * atan2_of(sine, cosine));
-    T x = t * cosine + (1 - t), y = t * sine;
-    if (y * y + x * x <= constants<T>::pole_threshold) {
+sine_cosine<T> part_of_turn(T cosine, T sine, T length, T t, flavour motion) {
+    if (motion == flavour::slerp) return sincos_of(t * angle_of(sine, cosine, length));
+    T x = t * cosine + (1 - t) * length, y = t * sine;
+    T squared = y * y + x * x;
+    if (squared <= constants<T>::pole_threshold * length) {
         x = 0;
         y = std::copysign(T(1), sine);
+        squared = 1;
     }
-    const T length = std::sqrt(y * y + x * x);
-    return {y / length, x / length};
+    return {y / std::sqrt(squared), x / std::sqrt(squared)};
 }
 
 template <class T>
@@ -103,11 +128,11 @@ quat<T> sterp_of(const quat<T>& a, const quat<T>& b, const unit_axis<T>& axis, T
     const T u = (axis.x * d.x + axis.y * d.y) + axis.z * d.z;
     const vec3<T> l{axis.x, axis.y, axis.z};
     const vec3<T> p{d.x - u * l.x, d.y - u * l.y, d.z - u * l.z}, k = cross(l, p);
-    const T length = std::sqrt(floored((p.x * p.x + p.y * p.y) + p.z * p.z));
-
     const T swing_cosine = twist.cosine * d.w + twist.sine * u;
-    const sine_cosine<T> f = part_of_turn(swing_cosine, length, s, o.motion);
-    const sine_cosine<T> g = part_of_turn(twist.cosine, twist.sine, t, o.motion);
+    const T pp = floored((p.x * p.x + p.y * p.y) + p.z * p.z), length = std::sqrt(pp);
+    const T whole = std::sqrt(swing_cosine * swing_cosine + pp);
+    const sine_cosine<T> f = part_of_turn(swing_cosine, length, whole, s, o.motion);
+    const sine_cosine<T> g = part_of_turn(twist.cosine, twist.sine, T(1), t, o.motion);
     const T across = f.sine / length, on_axis = f.cosine * g.sine;
     const T on_p = across * (twist.cosine * g.cosine + twist.sine * g.sine);
     const T on_k = across * (twist.sine * g.cosine - twist.cosine * g.sine);

@@ -18,12 +18,27 @@
 
 namespace swivel::reference {
 
-// c0 + c1 x + ...
+// c0 + c1 x + ... by Horner's rule; the long ones as even and odd part.
 template <class T, std::size_t N>
 T polynomial(T x, const T (&c)[N]) {
-    T p = c[N - 1];
-    for (std::size_t k = N - 1; k-- > 0;) p = p * x + c[k];
-    return p;
+    const std::size_t step = N < 5 ? 1 : 2;
+    const auto from = [&](std::size_t first, T power) {
+        std::size_t k = first + (N - 1 - first) / step * step;
+        T p = c[k];
+        while (k > first) {
+            k -= step;
+            p = p * power + c[k];
+        }
+        return p;
+    };
+    return step == 1 ? from(0, x) : from(1, x * x) * x + from(0, x * x);
+}
+
+// For |z| <= 1.
+template <class T>
+T atan_of(T z) {
+    const T s = z * z;
+    return (z * s) * polynomial(s, constants<T>::atan) + z;
 }
 
 template <class T>
@@ -32,24 +47,26 @@ T atan2_of(T y, T x) {
     const T ax = std::fabs(x), ay = std::fabs(y);
     const bool steep = ay > ax;
     const T small = steep ? ax : ay, large = steep ? ay : ax;
-    const bool turned = small > T(0.5) * large;
-    const T divisor = turned ? small + large : large;
-    const T z = (turned ? small - large : small) / (divisor == 0 ? T(1) : divisor);
-
-    const T s = z * z;
-    T rest = (z * s) * polynomial(s, C::atan) + z;
-
-    T eighths = turned ? T(1) : T(0);
+    T rest = atan_of(small / (large == 0 ? T(1) : large));
+    T quarters = 0;
     if (steep) {
-        eighths = 2 - eighths;
+        quarters = 1;
         rest = 0 - rest;
     }
     if (std::signbit(x)) {
-        eighths = 4 - eighths;
+        quarters = 2 - quarters;
         rest = 0 - rest;
     }
-    const T angle = eighths * C::quarter_pi + (eighths * C::quarter_pi_rest + rest);
+    const T angle = quarters * C::half_pi + (quarters * C::half_pi_rest + rest);
     return std::signbit(y) ? -angle : angle;
+}
+
+// The same of a point at that distance from (0, 0): twice the angle at half the way.
+template <class T>
+T angle_of(T y, T x, T distance) {
+    const T half = atan_of(y / (distance + std::fabs(x)));
+    if (!std::signbit(x)) return half + half;
+    return std::copysign(constants<T>::pi, y) - (half + half);
 }
 
 template <class T>
@@ -67,9 +84,9 @@ sine_cosine<T> sincos_of(T x) {
     const T rounded = r * C::two_over_pi + C::round, k = rounded - C::round;
     const unsigned quadrant = static_cast<unsigned>(std::bit_cast<bits>(rounded)) & 3U;
     // Exact, up to here; what the difference of the third product rounds off goes back in with the fourth.
-    const T rest = (r - k * C::half_pi[0]) - k * C::half_pi[1], third = k * C::half_pi[2];
+    const T rest = (r - k * C::half_pi_parts[0]) - k * C::half_pi_parts[1], third = k * C::half_pi_parts[2];
     const T reduced = rest - third;
-    r = reduced + (((rest - reduced) - third) - k * C::half_pi[3]);
+    r = reduced + (((rest - reduced) - third) - k * C::half_pi_parts[3]);
 
     const T s = r * r;
     T sine = (r * s) * polynomial(s, C::sin) + r;
