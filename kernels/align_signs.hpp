@@ -18,7 +18,7 @@ struct align_signs_op {
         const rotor<V> q{in[0], in[1], in[2], in[3]}, neighbour{in[4], in[5], in[6], in[7]};
         const V product = nan_for_infinity<arithmetic<P>>(dot_of<P>(q, neighbour));
         const V plus(scalar_of<V>(0)), minus(scalar_of<V>(-0.0));
-        const rotor<V> aligned = flipped(q, xsimd::select(product < plus, minus, plus));
+        const rotor<V> aligned = flipped(q, select(product < plus, minus, plus));
         // NaN only where q or the neighbour has one: there it replaces every component.
         put(either(product == product, aligned, rotor<V>{product, product, product, product}), out);
     }

@@ -28,15 +28,15 @@ inline V atan2_of(V y, V x) noexcept {
     const V zero(T(0)), one(T(1));
     const V ax = magnitude(x), ay = magnitude(y);
     const mask_of<V> steep = ay > ax;
-    const V small = xsimd::select(steep, ax, ay);
-    const V large = xsimd::select(steep, ay, ax);
-    V rest = atan_of<P>(quotient(small, xsimd::select(large == zero, one, large)));
+    const V small = select(steep, ax, ay);
+    const V large = select(steep, ay, ax);
+    V rest = atan_of<P>(quotient(small, select(large == zero, one, large)));
 
-    V quarters = xsimd::select(steep, one, zero);
-    rest = xsimd::select(steep, zero - rest, rest);
+    V quarters = select(steep, one, zero);
+    rest = select(steep, zero - rest, rest);
     const mask_of<V> left = one_signed_like(x) < zero;
-    quarters = xsimd::select(left, V(T(2)) - quarters, quarters);
-    rest = xsimd::select(left, zero - rest, rest);
+    quarters = select(left, V(T(2)) - quarters, quarters);
+    rest = select(left, zero - rest, rest);
 
     const V angle = quarters * V(C::half_pi) + M::multiply_add(quarters, V(C::half_pi_rest), rest);
     return angle ^ sign_of(y);
@@ -50,7 +50,7 @@ inline V angle_of(V y, V x, V distance) noexcept {
     const V half = atan_of<P>(quotient(y, distance + magnitude(x)));
     const V right = half + half;
     const mask_of<V> left = one_signed_like(x) < V(T(0));
-    return xsimd::select(left, (V(constants<T>::pi) ^ sign_of(y)) - right, right);
+    return select(left, (V(constants<T>::pi) ^ sign_of(y)) - right, right);
 }
 
 // Streams in: y x. Out: the angle.
@@ -67,7 +67,7 @@ struct atan2_op {
         // An infinity would be a limit; here it is an element that is wrong.
         const V poison = zero * in[0] + zero * in[1];
         const V angle = atan2_of<P>(in[0], in[1]);
-        out[0] = xsimd::select(poison == zero, angle, poison);
+        out[0] = select(poison == zero, angle, poison);
     }
 };
 

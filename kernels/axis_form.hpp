@@ -33,8 +33,8 @@ inline half_twist<V> half_twist_of(V w, V u, V t, V norm_squared, V threshold) n
     if constexpr (P == reproducible_index) {
         // Two quotients, not one reciprocal: the rounding of a reciprocal would go into every norm.
         const V root = square_root_of(t_or_nan);
-        return {xsimd::select(regular, quotient(w, root), one_signed_like(w)),
-                xsimd::select(regular, quotient(u, root), V(T(0)))};
+        return {select(regular, quotient(w, root), one_signed_like(w)),
+                select(regular, quotient(u, root), V(T(0)))};
     } else {
         const V scale = M::reciprocal_root(t_or_nan);
         return {product_or(regular, w, scale, one_signed_like(w)), product_or_zero(regular, u, scale)};

@@ -13,7 +13,7 @@ namespace {
 template <bool LongWay, class V>
 inline V way_of(V product) noexcept {
     const V plus(scalar_of<V>(0)), minus(scalar_of<V>(-0.0));
-    return xsimd::select(product < plus, LongWay ? plus : minus, LongWay ? minus : plus);
+    return select(product < plus, LongWay ? plus : minus, LongWay ? minus : plus);
 }
 
 // i q, which is at right angles to q.

@@ -32,6 +32,9 @@ struct fill {
 
     template <class Op>
     static constexpr kernel<T> loop = stream_loop<V, Op>;
+    template <class Op, class Wide>
+    static constexpr kernel<T> deep_loop = twin_loop<V, Op, Wide>;
+    using W = twin<V>;
 
     template <twist_sign S>
     static constexpr void with_sign(operations<T>& table) {
@@ -49,10 +52,12 @@ struct fill {
         }
     }
 
-    template <class Form, bool Body>
+    template <template <precision_index, class> class Form, bool Body>
     static constexpr void with_form(kernel<T> (&motions)[2][2][precisions]) {
-        motions[false][Body][P] = loop<sterp_op<P, Form, constant_speed<P>, Body, V>>;
-        motions[true][Body][P] = loop<sterp_op<P, Form, along_the_chord<P>, Body, V>>;
+        motions[false][Body][P] = deep_loop<sterp_op<P, Form<P, V>, constant_speed<P>, Body, V>,
+                                            sterp_op<P, Form<P, W>, constant_speed<P>, Body, W>>;
+        motions[true][Body][P] = deep_loop<sterp_op<P, Form<P, V>, along_the_chord<P>, Body, V>,
+                                           sterp_op<P, Form<P, W>, along_the_chord<P>, Body, W>>;
     }
 
     static constexpr void all(operations<T>& table) {
@@ -66,14 +71,14 @@ struct fill {
         table.compose[true][P] = loop<compose_op<P, true, V>>;
         table.compose_compact[false][P] = loop<compose_compact_op<P, false, V>>;
         table.compose_compact[true][P] = loop<compose_compact_op<P, true, V>>;
-        table.slerp[false][P] = loop<slerp_op<P, false, V>>;
+        table.slerp[false][P] = deep_loop<slerp_op<P, false, V>, slerp_op<P, false, W>>;
         table.slerp[true][P] = loop<slerp_op<P, true, V>>;
         table.nlerp[false][P] = loop<nlerp_op<P, false, V>>;
         table.nlerp[true][P] = loop<nlerp_op<P, true, V>>;
-        with_form<uniform, false>(table.sterp[false]);
-        with_form<uniform, true>(table.sterp[false]);
-        with_form<per_element, false>(table.sterp[true]);
-        with_form<per_element, true>(table.sterp[true]);
+        with_form<uniform_form, false>(table.sterp[false]);
+        with_form<uniform_form, true>(table.sterp[false]);
+        with_form<per_element_form, false>(table.sterp[true]);
+        with_form<per_element_form, true>(table.sterp[true]);
         table.sincos[P] = loop<sincos_op<P, V>>;
         table.atan2[P] = loop<atan2_op<P, V>>;
         table.conjugate = loop<conjugate_op<V>>;

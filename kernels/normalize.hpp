@@ -15,7 +15,7 @@ inline V reciprocal_power_of_two(V a) noexcept {
     using C = constants<scalar_of<V>>;
     const V exponent_bits(C::infinity), largest(C::largest_power_of_two);
     const V inverse = (a & exponent_bits) ^ exponent_bits;
-    return xsimd::select(inverse > largest, largest, inverse);
+    return select(inverse > largest, largest, inverse);
 }
 
 // Brings the vector of the components to unit length, from any length from the smallest subnormal number on:
@@ -58,7 +58,7 @@ struct normalize_op {
         out[0] = x;
         out[1] = y;
         out[2] = z;
-        out[3] = xsimd::select(zero, V(scalar_of<V>(1)), w);
+        out[3] = select(zero, V(scalar_of<V>(1)), w);
     }
 };
 

@@ -201,7 +201,7 @@ inline V larger(V a, V b) noexcept {
     else
         return V(_mm_max_pd(a, b));
 #else
-    return xsimd::select(a > b, a, b);
+    return select(a > b, a, b);
 #endif
 }
 
@@ -237,7 +237,7 @@ inline V product_or(mask_of<V> m, V a, V b, V other) noexcept {
     else
         return V(_mm512_mask_mul_pd(other, m, a, b));
 #else
-    return xsimd::select(m, a * b, other);
+    return select(m, a * b, other);
 #endif
 }
 
@@ -250,7 +250,7 @@ inline V product_or_zero(mask_of<V> m, V a, V b) noexcept {
     else
         return V(_mm512_maskz_mul_pd(m, a, b));
 #else
-    return xsimd::select(m, a * b, V(scalar_of<V>(0)));
+    return select(m, a * b, V(scalar_of<V>(0)));
 #endif
 }
 

@@ -41,8 +41,7 @@ inline rotor<V> flipped(const rotor<V>& q, V sign) noexcept {
 
 template <class V>
 inline rotor<V> either(mask_of<V> m, const rotor<V>& a, const rotor<V>& b) noexcept {
-    return {xsimd::select(m, a.x, b.x), xsimd::select(m, a.y, b.y), xsimd::select(m, a.z, b.z),
-            xsimd::select(m, a.w, b.w)};
+    return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z), select(m, a.w, b.w)};
 }
 
 template <class V>

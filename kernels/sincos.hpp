@@ -19,7 +19,7 @@ inline void sincos_of(V x, V& sine, V& cosine) noexcept {
     using M = arithmetic<P>;
     const V zero(T(0)), one(T(1));
     const V size = magnitude(x);
-    V r = xsimd::select(size > V(C::largest_angle), zero * size, size);
+    V r = select(size > V(C::largest_angle), zero * size, size);
 
     // The sum has k in its lowest bits.
     const V rounded = M::multiply_add(r, V(C::two_over_pi), V(C::round));
@@ -40,8 +40,8 @@ inline void sincos_of(V x, V& sine, V& cosine) noexcept {
         M::multiply_add(s * s, polynomial<M>(s, C::cos), M::negate_multiply_add(V(T(0.5)), s, one));
     const mask_of<V> odd = has_bit<0>(rounded);
     const V sign = sign_from_bit<1>(rounded);
-    sine = xsimd::select(odd, cos_r, sin_r) ^ sign ^ sign_of(x);
-    cosine = xsimd::select(odd, sin_r, cos_r) ^ sign ^ sign_from_bit<0>(rounded);
+    sine = select(odd, cos_r, sin_r) ^ sign ^ sign_of(x);
+    cosine = select(odd, sin_r, cos_r) ^ sign ^ sign_from_bit<0>(rounded);
 }
 
 // Streams in: the angle. Out: its sine and cosine.

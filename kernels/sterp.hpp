@@ -31,9 +31,9 @@ struct along_the_chord {
         V squared = M::multiply_add(y, y, x * x);
         // The middle of a full turn is a half turn, the way that a sine of 0 belongs to.
         const mask_of<V> nothing = squared <= V(constants<T>::pole_threshold) * length;
-        x = xsimd::select(nothing, zero, x);
-        y = xsimd::select(nothing, one_signed_like(sine), y);
-        squared = xsimd::select(nothing, one, squared);
+        x = select(nothing, zero, x);
+        y = select(nothing, one_signed_like(sine), y);
+        squared = select(nothing, one, squared);
         if constexpr (P == reproducible_index) {
             const V root = square_root_of(squared);
             part_cosine = quotient(x, root);

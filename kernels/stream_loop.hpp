@@ -6,6 +6,7 @@
 
 #include "kernel_table.hpp"
 #include "ops.hpp"
+#include "twin.hpp"
 
 namespace swivel {
 namespace {
@@ -153,6 +154,42 @@ inline void stream_loop(const batch<scalar_of<V>>& b, std::index_sequence<I...> 
         op(in, out);
         (store_first(out[O], to[O] + i, rest), ...);
     }
+}
+
+// The same, two registers at a time by `Wide` as long as there are two; for operations of many steps that wait for one
+// another (twin.hpp).
+template <class V, class Op, class Wide, std::size_t... I, std::size_t... O>
+inline void twin_loop(const batch<scalar_of<V>>& b, std::index_sequence<I...> inputs,
+                      std::index_sequence<O...> outputs) noexcept {
+    using T = scalar_of<V>;
+    using W = twin<V>;
+    if (b.has_arrays || b.size < W::size) return stream_loop<V, Op>(b, inputs, outputs);
+    const Wide op(b.uniform);
+    const T* const from[] = {b.in[I]...};
+    T* const to[] = {b.out[O]...};
+    const std::size_t whole = b.size / W::size * W::size;
+    for (std::size_t i = 0; i < whole; i += W::size) {
+        const W in[] = {W::load_unaligned(from[I] + i)...};
+        W out[Op::outputs];
+        op(in, out);
+        (out[O].store_unaligned(to[O] + i), ...);
+    }
+    if (whole == b.size) return;
+    batch<T> rest = b;
+    ((rest.in[I] = from[I] + whole), ...);
+    ((rest.out[O] = to[O] + whole), ...);
+    rest.size = b.size - whole;
+    stream_loop<V, Op>(rest, inputs, outputs);
+}
+
+template <class V, class Op, class Wide>
+[[gnu::flatten]] void twin_loop(const batch<scalar_of<V>>& b) noexcept {
+    constexpr std::make_index_sequence<Op::inputs> inputs;
+    constexpr std::make_index_sequence<Op::outputs> outputs;
+    if constexpr (has_32_registers)
+        twin_loop<V, Op, Wide>(b, inputs, outputs);
+    else
+        stream_loop<V, Op>(b, inputs, outputs);
 }
 
 // Flattened: gcc 12 would leave the second call of the operation, that of the tail, out of line, and every register in
