@@ -96,24 +96,21 @@ void add_precision(CLI::App& app, swivel::precision& value) {
                "Arithmetic: the quickest, or one that gives the same bits on every ISA");
 }
 
+parameter_argument parse_parameter(const std::string& name, const std::string& given) {
+    if (given == "column") return parameter_column{};
+    const clip::parsed<double> wide = parse_real<double>(given);
+    if (!wide.fault.empty() || !std::isfinite(wide.value))
+        throw CLI::ValidationError(name, "'" + given + "' is neither a finite number nor column");
+    const clip::parsed<float> narrow = parse_real<float>(given);
+    if (!narrow.fault.empty()) throw CLI::ValidationError(name, "'" + given + "' is too large for f32");
+    return number{narrow.value, wide.value};
+}
+
 CLI::Option* add_parameter(CLI::App& app, const std::string& name, parameter_argument& value,
                            const std::string& description) {
     return app
         .add_option_function<std::string>(
-            name,
-            [&value, name](const std::string& given) {
-                if (given == "column") {
-                    value = parameter_column{};
-                    return;
-                }
-                const clip::parsed<double> wide = parse_real<double>(given);
-                if (!wide.fault.empty() || !std::isfinite(wide.value))
-                    throw CLI::ValidationError(name, "'" + given + "' is neither a finite number nor column");
-                const clip::parsed<float> narrow = parse_real<float>(given);
-                if (!narrow.fault.empty())
-                    throw CLI::ValidationError(name, "'" + given + "' is too large for f32");
-                value = number{narrow.value, wide.value};
-            },
+            name, [&value, name](const std::string& given) { value = parse_parameter(name, given); },
             description)
         ->type_name("NUMBER|column");
 }

@@ -68,6 +68,7 @@ enum class axis_words { none, automatic, columns };
 CLI::Option* add_axis(CLI::App& app, axis_argument& value, axis_words words);
 void add_product(CLI::App& app, swivel::product& value);
 void add_precision(CLI::App& app, swivel::precision& value);
+[[nodiscard]] parameter_argument parse_parameter(const std::string& name, const std::string& given);
 // A number, or the word `column` for the column of that name.
 CLI::Option* add_parameter(CLI::App& app, const std::string& name, parameter_argument& value,
                            const std::string& description);

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct eval_settings {
     factor_form form = factor_form::full;
     bool signs = false;
     parameter_argument t = number{0.5F, 0.5};
+    std::optional<parameter_argument> twist_t;
+    bool tip = false;
+    bool reads_axis = false;
     swivel::options options;
     // Each row goes on from the one before, over the blocks in which an operation gets them.
     bool sequence = false;
@@ -49,6 +53,7 @@ struct eval_operation {
     eval_function<double> run_f64;
 };
 
+extern const eval_operation eval_nlerp, eval_slerp, eval_sterp;
 extern const eval_operation eval_atan2, eval_sincos;
 extern const eval_operation eval_align_signs, eval_conjugate, eval_dot, eval_multiply, eval_normalize,
     eval_rotate;
