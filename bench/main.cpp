@@ -15,6 +15,8 @@ int main(int argc, char** argv) {
     swivel_bench::add_compose_rows();
     swivel_bench::add_interpolation_rows();
     swivel_bench::add_algebra_rows();
+    swivel_bench::add_exponentials_rows();
+    swivel_bench::add_arcs_rows();
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
 }

@@ -17,19 +17,18 @@ inline V atan_of(V z) noexcept {
     return M::multiply_add(z * s, polynomial<M>(s, constants<scalar_of<V>>::atan), z);
 }
 
-// The angle of the point (x, y), in [-pi, pi]; (0, 0) counts as (+-1, 0): no libm gives the same bits on two systems.
-// It is k pi/2 plus or minus that of the quotient of the smaller by the larger coordinate, with k pi/2 in two parts of
-// which the first is exact.
+// The angle of the point (x, y), y >= 0, in [0, pi]; (0, 0) counts as (+-1, 0). It is k pi/2 plus or minus that of the
+// quotient of the smaller by the larger coordinate, with k pi/2 in two parts of which the first is exact.
 template <precision_index P, class V>
-inline V atan2_of(V y, V x) noexcept {
+inline V atan2_above(V y, V x) noexcept {
     using T = scalar_of<V>;
     using C = constants<T>;
     using M = arithmetic<P>;
     const V zero(T(0)), one(T(1));
-    const V ax = magnitude(x), ay = magnitude(y);
-    const mask_of<V> steep = ay > ax;
-    const V small = select(steep, ax, ay);
-    const V large = select(steep, ay, ax);
+    const V ax = magnitude(x);
+    const mask_of<V> steep = y > ax;
+    const V small = select(steep, ax, y);
+    const V large = select(steep, y, ax);
     V rest = atan_of<P>(quotient(small, select(large == zero, one, large)));
 
     V quarters = select(steep, one, zero);
@@ -38,8 +37,13 @@ inline V atan2_of(V y, V x) noexcept {
     quarters = select(left, V(T(2)) - quarters, quarters);
     rest = select(left, zero - rest, rest);
 
-    const V angle = quarters * V(C::half_pi) + M::multiply_add(quarters, V(C::half_pi_rest), rest);
-    return angle ^ sign_of(y);
+    return quarters * V(C::half_pi) + M::multiply_add(quarters, V(C::half_pi_rest), rest);
+}
+
+// In [-pi, pi], of any point. No libm gives the same bits on two systems.
+template <precision_index P, class V>
+inline V atan2_of(V y, V x) noexcept {
+    return atan2_above<P>(magnitude(y), x) ^ sign_of(y);
 }
 
 // The same of a point at that distance from (0, 0), without a comparison of its coordinates: twice the angle at half

@@ -18,6 +18,7 @@ struct constants<float> {
     static constexpr float pole_floor = 0x1p-100f;
     static constexpr float infinity = __builtin_inff();
     static constexpr float largest_power_of_two = 0x1p127f;
+    static constexpr float smallest_normal = 0x1p-126f;
 
     // atan z = z + z^3 (c0 + c1 z^2 + ...) for |z| <= 1, relative error 5.0e-9 (minimax).
     static constexpr float atan[] = {-0x1.55553ep-2f, 0x1.9991e4p-3f,  -0x1.2420bp-3f,
@@ -49,6 +50,7 @@ struct constants<double> {
     static constexpr double pole_floor = 0x1p-960;
     static constexpr double infinity = __builtin_inf();
     static constexpr double largest_power_of_two = 0x1p1023;
+    static constexpr double smallest_normal = 0x1p-1022;
 
     // Relative error 8.8e-18.
     static constexpr double atan[] = {

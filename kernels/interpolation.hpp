@@ -32,25 +32,6 @@ inline V ratio_of_lengths(V aa, V bb) noexcept {
         return aa * arithmetic<P>::reciprocal_root(larger(floor, aa * bb));
 }
 
-template <class V>
-inline rotor<V> scaled(const rotor<V>& q, V by) noexcept {
-    return {q.x * by, q.y * by, q.z * by, q.w * by};
-}
-
-// Of length 1; NaN where something is not finite.
-template <precision_index P, class V>
-inline rotor<V> normalized(const rotor<V>& q) noexcept {
-    const V floor(constants<scalar_of<V>>::pole_floor);
-    // The quotient by an infinity would be 0.
-    const V no_less = larger(floor, nan_for_infinity<arithmetic<P>>(dot_of<P>(q, q)));
-    if constexpr (P == reproducible_index) {
-        const V root = square_root_of(no_less);
-        return {quotient(q.x, root), quotient(q.y, root), quotient(q.z, root), quotient(q.w, root)};
-    } else {
-        return scaled(q, arithmetic<P>::reciprocal_root(no_less));
-    }
-}
-
 // In reproducible the ends themselves, with all their bits, unless the result says that something is not finite.
 template <precision_index P, class V>
 inline rotor<V> with_ends(const rotor<V>& between, mask_of<V> at_a, const rotor<V>& a, mask_of<V> at_b,

@@ -60,6 +60,12 @@ struct operations {
     kernel<T> rotate[2][precisions];  // a rotation for each element, one for all
     kernel<T> dot[precisions];
     kernel<T> align_signs[precisions];
+    kernel<T> square_root[precisions];
+    kernel<T> exp[precisions];
+    kernel<T> log[precisions];
+    kernel<T> power[precisions];
+    kernel<T> shortest_arc[precisions];
+    kernel<T> arc_with_twist[2][precisions];  // the twist after, before the arc
 };
 
 struct kernel_table {

@@ -4,16 +4,22 @@
 // The kernels of one ISA. isa/<isa>.cpp includes this and defines its table; nothing else there.
 
 #include "align_signs.hpp"
+#include "arc_with_twist.hpp"
 #include "atan2.hpp"
 #include "compose.hpp"
 #include "conjugate.hpp"
 #include "decompose.hpp"
 #include "dot.hpp"
+#include "exp.hpp"
+#include "log.hpp"
 #include "nlerp.hpp"
 #include "normalize.hpp"
+#include "power.hpp"
 #include "rotate.hpp"
+#include "shortest_arc.hpp"
 #include "sincos.hpp"
 #include "slerp.hpp"
+#include "square_root.hpp"
 #include "sterp.hpp"
 #include "stream_loop.hpp"
 #include "swing.hpp"
@@ -87,6 +93,15 @@ struct fill {
         table.rotate[true][P] = loop<rotate_by_one_op<P, V>>;
         table.dot[P] = loop<dot_op<P, V>>;
         table.align_signs[P] = loop<align_signs_op<P, V>>;
+        table.square_root[P] = deep_loop<square_root_op<P, V>, square_root_op<P, W>>;
+        table.exp[P] = deep_loop<exp_op<P, V>, exp_op<P, W>>;
+        table.log[P] = deep_loop<log_op<P, V>, log_op<P, W>>;
+        table.power[P] = deep_loop<power_op<P, V>, power_op<P, W>>;
+        table.shortest_arc[P] = deep_loop<shortest_arc_op<P, V>, shortest_arc_op<P, W>>;
+        table.arc_with_twist[false][P] =
+            deep_loop<arc_with_twist_op<P, false, V>, arc_with_twist_op<P, false, W>>;
+        table.arc_with_twist[true][P] =
+            deep_loop<arc_with_twist_op<P, true, V>, arc_with_twist_op<P, true, W>>;
     }
 };
 

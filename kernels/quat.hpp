@@ -3,6 +3,7 @@
 
 // Quaternions in registers, and what several operations do with them. An infinity may come out as one.
 
+#include "constants.hpp"
 #include "kernel_table.hpp"
 #include "ops.hpp"
 
@@ -42,6 +43,25 @@ inline rotor<V> flipped(const rotor<V>& q, V sign) noexcept {
 template <class V>
 inline rotor<V> either(mask_of<V> m, const rotor<V>& a, const rotor<V>& b) noexcept {
     return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z), select(m, a.w, b.w)};
+}
+
+template <class V>
+inline rotor<V> scaled(const rotor<V>& q, V by) noexcept {
+    return {q.x * by, q.y * by, q.z * by, q.w * by};
+}
+
+// Of length 1; NaN where something is not finite.
+template <precision_index P, class V>
+inline rotor<V> normalized(const rotor<V>& q) noexcept {
+    const V floor(constants<scalar_of<V>>::pole_floor);
+    // The quotient by an infinity would be 0.
+    const V no_less = larger(floor, nan_for_infinity<arithmetic<P>>(dot_of<P>(q, q)));
+    if constexpr (P == reproducible_index) {
+        const V root = square_root_of(no_less);
+        return {quotient(q.x, root), quotient(q.y, root), quotient(q.z, root), quotient(q.w, root)};
+    } else {
+        return scaled(q, arithmetic<P>::reciprocal_root(no_less));
+    }
 }
 
 template <class V>

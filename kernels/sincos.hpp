@@ -9,17 +9,15 @@
 namespace swivel {
 namespace {
 
-// Sine and cosine of angles up to constants::largest_angle; larger ones count as 0. The angle is brought to
-// r = |x| - k pi/2 in [-pi/4, pi/4], with pi/2 in parts so short that their products with k are exact, all but the
-// last. NaN and infinity give NaN.
+// Sine and cosine of angles up to constants::largest_angle. The angle is brought to r = |x| - k pi/2 in
+// [-pi/4, pi/4], with pi/2 in parts so short that their products with k are exact, all but the last. NaN gives NaN.
 template <precision_index P, class V>
-inline void sincos_of(V x, V& sine, V& cosine) noexcept {
+inline void sincos_within(V x, V& sine, V& cosine) noexcept {
     using T = scalar_of<V>;
     using C = constants<T>;
     using M = arithmetic<P>;
-    const V zero(T(0)), one(T(1));
-    const V size = magnitude(x);
-    V r = select(size > V(C::largest_angle), zero * size, size);
+    const V one(T(1));
+    V r = magnitude(x);
 
     // The sum has k in its lowest bits.
     const V rounded = M::multiply_add(r, V(C::two_over_pi), V(C::round));
@@ -42,6 +40,14 @@ inline void sincos_of(V x, V& sine, V& cosine) noexcept {
     const V sign = sign_from_bit<1>(rounded);
     sine = select(odd, cos_r, sin_r) ^ sign ^ sign_of(x);
     cosine = select(odd, sin_r, cos_r) ^ sign ^ sign_from_bit<0>(rounded);
+}
+
+// Those that are larger count as 0. NaN and infinity give NaN.
+template <precision_index P, class V>
+inline void sincos_of(V x, V& sine, V& cosine) noexcept {
+    using T = scalar_of<V>;
+    const mask_of<V> beyond = magnitude(x) > V(constants<T>::largest_angle);
+    sincos_within<P>(select(beyond, V(T(0)) * x, x), sine, cosine);
 }
 
 // Streams in: the angle. Out: its sine and cosine.

@@ -70,6 +70,8 @@ template void copy(const float* const (&)[7], float* const (&)[3], std::size_t) 
 template void copy(const double* const (&)[7], double* const (&)[3], std::size_t) noexcept;
 template void copy(const float* const (&)[3], float* const (&)[3], std::size_t) noexcept;
 template void copy(const double* const (&)[3], double* const (&)[3], std::size_t) noexcept;
+template void copy(const float* const (&)[6], float* const (&)[4], std::size_t) noexcept;
+template void copy(const double* const (&)[6], double* const (&)[4], std::size_t) noexcept;
 
 template void copy_by_memcpy(const float* const (&)[4], float* const (&)[8], std::size_t) noexcept;
 template void copy_by_memcpy(const double* const (&)[4], double* const (&)[8], std::size_t) noexcept;

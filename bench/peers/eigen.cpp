@@ -30,6 +30,28 @@ quaternion<T> twist_of(const quaternion<T>& q, const vector<T>& a) noexcept {
     return quaternion<T>(q.w(), along.x(), along.y(), along.z()).normalized();
 }
 
+template <class T>
+const vector<T>* vectors_of(const T* first) noexcept {
+    static_assert(sizeof(vector<T>) == 3 * sizeof(T));
+    return reinterpret_cast<const vector<T>*>(first);
+}
+
+// Eigen has no exponentials of quaternions: scalar code of the standard library, with the checks that it needs.
+template <class T>
+vector<T> log_of(const quaternion<T>& q) noexcept {
+    const T m = q.vec().norm();
+    if (m == 0) return vector<T>::Zero();
+    return std::atan2(m, q.w()) / m * q.vec();
+}
+
+template <class T>
+quaternion<T> exp_of(const vector<T>& b) noexcept {
+    const T angle = b.norm();
+    if (angle == 0) return quaternion<T>::Identity();
+    const vector<T> v = std::sin(angle) / angle * b;
+    return quaternion<T>(std::cos(angle), v.x(), v.y(), v.z());
+}
+
 }  // namespace
 
 template <class T>
@@ -142,6 +164,50 @@ template void sterp(const float*, const float*, swivel::vec3<float>, const float
                     std::size_t) noexcept;
 template void sterp(const double*, const double*, swivel::vec3<double>, const double*, double*,
                     std::size_t) noexcept;
+
+template <class T>
+void square_root(const T* q, T* out, std::size_t n) noexcept {
+    const quaternion<T>* const from = array_of(q);
+    quaternion<T>* const to = array_of(out);
+    for (std::size_t i = 0; i < n; ++i)
+        to[i] = quaternion<T>(1 + from[i].w(), from[i].x(), from[i].y(), from[i].z()).normalized();
+}
+
+template <class T>
+void exp(const T* b, T* out, std::size_t n) noexcept {
+    const vector<T>* const from = vectors_of(b);
+    quaternion<T>* const to = array_of(out);
+    for (std::size_t i = 0; i < n; ++i) to[i] = exp_of(from[i]);
+}
+
+template <class T>
+void log(const T* q, T* out, std::size_t n) noexcept {
+    const quaternion<T>* const from = array_of(q);
+    for (std::size_t i = 0; i < n; ++i) Eigen::Map<vector<T>>(out + 3 * i) = log_of(from[i]);
+}
+
+template <class T>
+void power(const T* q, T t, T* out, std::size_t n) noexcept {
+    const quaternion<T>* const from = array_of(q);
+    quaternion<T>* const to = array_of(out);
+    for (std::size_t i = 0; i < n; ++i) to[i] = exp_of<T>(t * log_of(from[i]));
+}
+
+template <class T>
+void shortest_arc(const T* v, const T* w, T* out, std::size_t n) noexcept {
+    const vector<T>*const a = vectors_of(v), *const b = vectors_of(w);
+    quaternion<T>* const to = array_of(out);
+    for (std::size_t i = 0; i < n; ++i) to[i] = quaternion<T>::FromTwoVectors(a[i], b[i]);
+}
+
+template <class T>
+void arc_with_twist(const T* v, const T* w, T radians, T* out, std::size_t n) noexcept {
+    const vector<T>*const a = vectors_of(v), *const b = vectors_of(w);
+    quaternion<T>* const to = array_of(out);
+    for (std::size_t i = 0; i < n; ++i)
+        to[i] = quaternion<T>::FromTwoVectors(a[i], b[i]) * Eigen::AngleAxis<T>(radians, a[i].normalized());
+}
+
 template void decompose(const float*, swivel::vec3<float>, float*, float*, std::size_t) noexcept;
 template void decompose(const double*, swivel::vec3<double>, double*, double*, std::size_t) noexcept;
 template void twist(const float*, swivel::vec3<float>, float*, std::size_t) noexcept;
@@ -158,5 +224,17 @@ template void rotate(const float*, const float*, float*, std::size_t) noexcept;
 template void rotate(const double*, const double*, double*, std::size_t) noexcept;
 template void rotate_by_one(swivel::quat<float>, const float*, float*, std::size_t) noexcept;
 template void rotate_by_one(swivel::quat<double>, const double*, double*, std::size_t) noexcept;
+template void square_root(const float*, float*, std::size_t) noexcept;
+template void exp(const float*, float*, std::size_t) noexcept;
+template void log(const float*, float*, std::size_t) noexcept;
+template void power(const float*, float, float*, std::size_t) noexcept;
+template void shortest_arc(const float*, const float*, float*, std::size_t) noexcept;
+template void arc_with_twist(const float*, const float*, float, float*, std::size_t) noexcept;
+template void square_root(const double*, double*, std::size_t) noexcept;
+template void exp(const double*, double*, std::size_t) noexcept;
+template void log(const double*, double*, std::size_t) noexcept;
+template void power(const double*, double, double*, std::size_t) noexcept;
+template void shortest_arc(const double*, const double*, double*, std::size_t) noexcept;
+template void arc_with_twist(const double*, const double*, double, double*, std::size_t) noexcept;
 
 }  // namespace swivel_bench::eigen

@@ -1,7 +1,9 @@
+#define GLM_ENABLE_EXPERIMENTAL
 #include <cmath>
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/gtx/quaternion.hpp>
 
 #include "peers.hpp"
 
@@ -28,6 +30,12 @@ quaternion<T>* array_of(T* first) noexcept {
 template <class T>
 quaternion<T> twist_of(const quaternion<T>& q, const vector<T>& a) noexcept {
     return glm::normalize(quaternion<T>(q.w, a * glm::dot(a, vector<T>(q.x, q.y, q.z))));
+}
+
+template <class T>
+const vector<T>* vectors_of(const T* first) noexcept {
+    static_assert(sizeof(vector<T>) == 3 * sizeof(T));
+    return reinterpret_cast<const vector<T>*>(first);
 }
 
 }  // namespace
@@ -107,6 +115,53 @@ void slerp(const T* a, const T* b, const T* t, T* out, std::size_t n) noexcept {
 
 template void slerp(const float*, const float*, const float*, float*, std::size_t) noexcept;
 template void slerp(const double*, const double*, const double*, double*, std::size_t) noexcept;
+
+template <class T>
+void square_root(const T* q, T* out, std::size_t n) noexcept {
+    const quaternion<T>* const from = array_of(q);
+    quaternion<T>* const to = array_of(out);
+    for (std::size_t i = 0; i < n; ++i) to[i] = glm::sqrt(from[i]);
+}
+
+template <class T>
+void exp(const T* b, T* out, std::size_t n) noexcept {
+    const vector<T>* const from = vectors_of(b);
+    quaternion<T>* const to = array_of(out);
+    for (std::size_t i = 0; i < n; ++i) to[i] = glm::exp(quaternion<T>(T(0), from[i]));
+}
+
+template <class T>
+void log(const T* q, T* out, std::size_t n) noexcept {
+    const quaternion<T>* const from = array_of(q);
+    for (std::size_t i = 0; i < n; ++i) {
+        const quaternion<T> b = glm::log(from[i]);
+        out[3 * i] = b.x;
+        out[3 * i + 1] = b.y;
+        out[3 * i + 2] = b.z;
+    }
+}
+
+template <class T>
+void power(const T* q, T t, T* out, std::size_t n) noexcept {
+    const quaternion<T>* const from = array_of(q);
+    quaternion<T>* const to = array_of(out);
+    for (std::size_t i = 0; i < n; ++i) to[i] = glm::pow(from[i], t);
+}
+
+template <class T>
+void shortest_arc(const T* v, const T* w, T* out, std::size_t n) noexcept {
+    const vector<T>*const a = vectors_of(v), *const b = vectors_of(w);
+    quaternion<T>* const to = array_of(out);
+    for (std::size_t i = 0; i < n; ++i) to[i] = glm::rotation(a[i], b[i]);
+}
+
+template <class T>
+void arc_with_twist(const T* v, const T* w, T radians, T* out, std::size_t n) noexcept {
+    const vector<T>*const a = vectors_of(v), *const b = vectors_of(w);
+    quaternion<T>* const to = array_of(out);
+    for (std::size_t i = 0; i < n; ++i) to[i] = glm::rotation(a[i], b[i]) * glm::angleAxis(radians, a[i]);
+}
+
 template void decompose(const float*, swivel::vec3<float>, float*, float*, std::size_t) noexcept;
 template void decompose(const double*, swivel::vec3<double>, double*, double*, std::size_t) noexcept;
 template void twist(const float*, swivel::vec3<float>, float*, std::size_t) noexcept;
@@ -123,5 +178,17 @@ template void rotate(const float*, const float*, float*, std::size_t) noexcept;
 template void rotate(const double*, const double*, double*, std::size_t) noexcept;
 template void rotate_by_one(swivel::quat<float>, const float*, float*, std::size_t) noexcept;
 template void rotate_by_one(swivel::quat<double>, const double*, double*, std::size_t) noexcept;
+template void square_root(const float*, float*, std::size_t) noexcept;
+template void exp(const float*, float*, std::size_t) noexcept;
+template void log(const float*, float*, std::size_t) noexcept;
+template void power(const float*, float, float*, std::size_t) noexcept;
+template void shortest_arc(const float*, const float*, float*, std::size_t) noexcept;
+template void arc_with_twist(const float*, const float*, float, float*, std::size_t) noexcept;
+template void square_root(const double*, double*, std::size_t) noexcept;
+template void exp(const double*, double*, std::size_t) noexcept;
+template void log(const double*, double*, std::size_t) noexcept;
+template void power(const double*, double, double*, std::size_t) noexcept;
+template void shortest_arc(const double*, const double*, double*, std::size_t) noexcept;
+template void arc_with_twist(const double*, const double*, double, double*, std::size_t) noexcept;
 
 }  // namespace swivel_bench::glm_peer

@@ -37,6 +37,18 @@ template <class T>
 void nlerp(const T* a, const T* b, const T* t, T* out, std::size_t n) noexcept;
 template <class T>
 void sterp(const T* a, const T* b, swivel::vec3<T> axis, const T* t, T* out, std::size_t n) noexcept;
+template <class T>
+void square_root(const T* q, T* out, std::size_t n) noexcept;
+template <class T>
+void exp(const T* b, T* out, std::size_t n) noexcept;
+template <class T>
+void log(const T* q, T* out, std::size_t n) noexcept;
+template <class T>
+void power(const T* q, T t, T* out, std::size_t n) noexcept;
+template <class T>
+void shortest_arc(const T* v, const T* w, T* out, std::size_t n) noexcept;
+template <class T>
+void arc_with_twist(const T* v, const T* w, T radians, T* out, std::size_t n) noexcept;
 }  // namespace eigen
 
 namespace glm_peer {
@@ -58,6 +70,18 @@ template <class T>
 void rotate_by_one(swivel::quat<T> q, const T* v, T* out, std::size_t n) noexcept;
 template <class T>
 void slerp(const T* a, const T* b, const T* t, T* out, std::size_t n) noexcept;
+template <class T>
+void square_root(const T* q, T* out, std::size_t n) noexcept;
+template <class T>
+void exp(const T* b, T* out, std::size_t n) noexcept;
+template <class T>
+void log(const T* q, T* out, std::size_t n) noexcept;
+template <class T>
+void power(const T* q, T t, T* out, std::size_t n) noexcept;
+template <class T>
+void shortest_arc(const T* v, const T* w, T* out, std::size_t n) noexcept;
+template <class T>
+void arc_with_twist(const T* v, const T* w, T radians, T* out, std::size_t n) noexcept;
 }  // namespace glm_peer
 
 // The compact form about z after Reynolds' article: one record of five numbers for each quaternion, with his

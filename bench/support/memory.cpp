@@ -115,7 +115,7 @@ swivel::quat_view<const T> workload<T>::rotations_from(std::size_t first) {
 }
 
 template <class T>
-swivel::vec3_view<const T> workload<T>::axes() {
+swivel::vec3_view<const T> workload<T>::axes_from(std::size_t first) {
     swivel::vec3_view<T> a{};
     if (layout_ == layout::aos) {
         a = swivel::aos_xyz(take(3 * n_, memory::role::read), n_);
@@ -125,7 +125,7 @@ swivel::vec3_view<const T> workload<T>::axes() {
         a = swivel::soa(stream[0], stream[1], stream[2], n_);
     }
     for (std::size_t i = 0; i < n_; ++i) {
-        const sample& s = samples()[(i + distinct / 2) % distinct];
+        const sample& s = samples()[(i + first) % distinct];
         const double scale = 1 / std::sqrt(s.x * s.x + s.y * s.y + s.z * s.z);
         const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i) * a.stride;
         a.x[at] = static_cast<T>(s.x * scale);
@@ -133,6 +133,16 @@ swivel::vec3_view<const T> workload<T>::axes() {
         a.z[at] = static_cast<T>(s.z * scale);
     }
     return a;
+}
+
+template <class T>
+swivel::vec3_view<const T> workload<T>::axes() {
+    return axes_from(distinct / 2);
+}
+
+template <class T>
+swivel::vec3_view<const T> workload<T>::other_axes() {
+    return axes_from(distinct / 4);
 }
 
 template <class T>

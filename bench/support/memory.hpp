@@ -44,6 +44,7 @@ public:
     // Others than those, at all distances from them.
     swivel::quat_view<const T> other_rotations();
     swivel::vec3_view<const T> axes();
+    swivel::vec3_view<const T> other_axes();
     // Those of a decomposition about z.
     swivel::factor_view<const T> factors();
     swivel::quat_view<T> quaternions();
@@ -61,6 +62,7 @@ public:
 
 private:
     swivel::quat_view<const T> rotations_from(std::size_t first);
+    swivel::vec3_view<const T> axes_from(std::size_t first);
     T* take(std::size_t count, memory::role r);
 
     std::size_t n_;

@@ -71,6 +71,8 @@ void add_twist_angle_rows();
 void add_compose_rows();
 void add_interpolation_rows();
 void add_algebra_rows();
+void add_exponentials_rows();
+void add_arcs_rows();
 
 }  // namespace swivel_bench
 

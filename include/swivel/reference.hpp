@@ -120,6 +120,26 @@ status align_signs(const quat_view<const double>& q, const quat_view<const doubl
 status align_signs(const quat_view<const float>& q, const quat_view<float>& out, options = {}) noexcept;
 status align_signs(const quat_view<const double>& q, const quat_view<double>& out, options = {}) noexcept;
 
+status square_root(const quat_view<const float>& q, const quat_view<float>& out, options = {}) noexcept;
+status square_root(const quat_view<const double>& q, const quat_view<double>& out, options = {}) noexcept;
+status exp(const vec3_view<const float>& b, const quat_view<float>& out, options = {}) noexcept;
+status exp(const vec3_view<const double>& b, const quat_view<double>& out, options = {}) noexcept;
+status log(const quat_view<const float>& q, const vec3_view<float>& out, options = {}) noexcept;
+status log(const quat_view<const double>& q, const vec3_view<double>& out, options = {}) noexcept;
+status power(const quat_view<const float>& q, const parameter<float>& t, const quat_view<float>& out,
+             options = {}) noexcept;
+status power(const quat_view<const double>& q, const parameter<double>& t, const quat_view<double>& out,
+             options = {}) noexcept;
+
+status shortest_arc(const vec3_view<const float>& v, const vec3_view<const float>& w,
+                    const quat_view<float>& out, options = {}) noexcept;
+status shortest_arc(const vec3_view<const double>& v, const vec3_view<const double>& w,
+                    const quat_view<double>& out, options = {}) noexcept;
+status arc_with_twist(const vec3_view<const float>& v, const vec3_view<const float>& w,
+                      const parameter<float>& radians, const quat_view<float>& out, options = {}) noexcept;
+status arc_with_twist(const vec3_view<const double>& v, const vec3_view<const double>& w,
+                      const parameter<double>& radians, const quat_view<double>& out, options = {}) noexcept;
+
 }  // namespace swivel::reference
 
 #endif

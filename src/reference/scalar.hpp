@@ -137,6 +137,11 @@ T dot(const quat<T>& a, const quat<T>& b) {
     return ((a.x * b.x + a.y * b.y) + a.z * b.z) + a.w * b.w;
 }
 
+template <class T>
+T dot(const vec3<T>& a, const vec3<T>& b) {
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+
 // v + w t + u x t with t = 2 u x v and q = (u, w).
 template <class T>
 vec3<T> rotated(const vec3<T>& v, const quat<T>& q) {
@@ -158,13 +163,22 @@ T scale_for(std::initializer_list<T> magnitudes) {
     return std::ldexp(T(1), 2 - exponent < most ? 2 - exponent : most);
 }
 
+template <class T>
+T scale_for(const vec3<T>& v) {
+    return scale_for({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+}
+
+template <class T>
+vec3<T> scaled(const vec3<T>& v, T by) {
+    return {by * v.x, by * v.y, by * v.z};
+}
+
 // The axis of one element to unit length, by way of a power of two that keeps the squares in range. What
 // rounding left over is not known here.
 template <class T>
 unit_axis<T> normalized(const vec3<T>& v) {
-    const T scale = scale_for({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
-    const vec3<T> s{scale * v.x, scale * v.y, scale * v.z};
-    const T root = std::sqrt(floored((s.x * s.x + s.y * s.y) + s.z * s.z));
+    const vec3<T> s = scaled(v, scale_for(v));
+    const T root = std::sqrt(floored(dot(s, s)));
     return {s.x / root, s.y / root, s.z / root, 0};
 }
 

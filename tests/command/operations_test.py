@@ -138,6 +138,85 @@ class Operations(CommandTest):
                          for isa in usable_isas() for layout in ("soa", "aos")}
                 self.assertEqual(len(texts), 1, operation)
 
+    def test_the_exponentials_are_the_definitions(self):
+        rotations = random_rotations(60)
+        generator = random.Random(3)
+        exponents = [generator.uniform(-2, 2) for _ in rotations]
+        stdin = table(HEADER, rotations)
+        logs = []
+        for x, y, z, w in rotations:
+            m = math.hypot(x, y, z)
+            angle = math.atan2(m, w)
+            logs.append((x / m * angle, y / m * angle, z / m * angle))
+
+        def about(b, t):
+            size = math.hypot(*b)
+            return [c / size * math.sin(t * size) for c in b] + [math.cos(t * size)]
+
+        for kind, tolerance in (("f64", 1e-14), ("f32", 2e-6)):
+            names, out = self.evaluate("log", stdin, "--type", kind)
+            self.assertEqual(names, ["bx", "by", "bz"])
+            for b, row in zip(logs, out):
+                self.assertNear(row, b, tolerance)
+            names, out = self.evaluate("exp", table("bx by bz\n", logs), "--type", kind)
+            self.assertEqual(names, ["qx", "qy", "qz", "qw"])
+            for q, row in zip(rotations, out):
+                self.assertNear(row, q, tolerance)
+            names, out = self.evaluate("square_root", stdin, "--type", kind)
+            self.assertEqual(names, ["rx", "ry", "rz", "rw"])
+            for q, row in zip(rotations, out):
+                self.assertNear(multiply(row, row), q, tolerance)
+                self.assertGreaterEqual(row[3], 0)
+            for options, t in ((["--t", "-1.5"], -1.5), ([], 0.5)):
+                names, out = self.evaluate("power", stdin, "--type", kind, *options)
+                self.assertEqual(names, ["rx", "ry", "rz", "rw"])
+                for b, row in zip(logs, out):
+                    self.assertNear(row, about(b, t), tolerance)
+            rows_with_t = table("t " + HEADER, [(t,) + q for t, q in zip(exponents, rotations)])
+            _, out = self.evaluate("power", rows_with_t, "--type", kind, "--t", "column")
+            for b, t, row in zip(logs, exponents, out):
+                self.assertNear(row, about(b, t), tolerance)
+        _, out = self.evaluate("log", HEADER + "0 0 0 -2\n0 0 0 0\n0 0 0 5\n", "--precision", "reproducible")
+        self.assertEqual(out, [[math.pi, 0, 0], [0, 0, 0], [0, 0, 0]])
+        self.fails(1, "<stdin>:1:12: the column 't' is missing", "eval", "power", "--t", "column", stdin=HEADER)
+        self.fails(2, "--t: 'half' is neither a finite number nor column", "eval", "power", "--t", "half",
+                   stdin=HEADER)
+
+    def test_arcs_turn_one_vector_to_the_other(self):
+        generator = random.Random(4)
+
+        def direction(v):
+            length = math.hypot(*v)
+            return [c / length for c in v]
+
+        pairs = [tuple(generator.uniform(-9, 9) for _ in range(6)) for _ in range(50)]
+        pairs += [(1, 2, 3, -2, -4, -6), (0, 0, 1, 0, 0, -1), (1, 2, 3, 1, 2, 3), (1e-200, 0, 0, 0, 1e200, 0)]
+        angles = [generator.uniform(-6, 6) for _ in pairs]
+        header = "vx vy vz wx wy wz"
+
+        def turned(q, v):
+            return multiply(multiply(q, tuple(v) + (0,)), conjugate(q))[:3]
+
+        names, arcs = self.evaluate("shortest_arc", table(header + "\n", pairs))
+        self.assertEqual(names, ["qx", "qy", "qz", "qw"])
+        for p, q in zip(pairs, arcs):
+            self.assertNear(turned(q, direction(p[:3])), direction(p[3:]), 1e-14)
+            self.assertGreaterEqual(q[3], 0)
+            # The axis is perpendicular to both.
+            self.assertLessEqual(abs(sum(a * b for a, b in zip(q, direction(p[:3])))), 1e-14)
+        stdin = table(header + " angle\n", [p + (a,) for p, a in zip(pairs, angles)])
+        for product, first in (("swing-twist", slice(0, 3)), ("twist-swing", slice(3, 6))):
+            _, out = self.evaluate("arc_with_twist", stdin, "--angle", "column", "--product", product)
+            for p, a, arc, q in zip(pairs, angles, arcs, out):
+                twist = [c * math.sin(a / 2) for c in direction(p[first])] + [math.cos(a / 2)]
+                expected = multiply(arc, twist) if product == "swing-twist" else multiply(twist, arc)
+                self.assertNear(q, expected, 1e-14)
+                self.assertNear(turned(q, direction(p[:3])), direction(p[3:]), 1e-14)
+        self.assertEqual(self.evaluate("arc_with_twist", table(header + "\n", pairs), "--precision", "reproducible")[0],
+                         names)
+        _, out = self.evaluate("arc_with_twist", header + "\n1 0 0 2 0 0\n", "--angle", "1")
+        self.assertNear(out[0], [math.sin(0.5), 0, 0, math.cos(0.5)])
+
     def test_at_the_pole_the_twist_is_left_out(self):
         _, out = self.evaluate("decompose", HEADER + "1 0 0 0\n1 0 0 -0.0\n0 0 0 0\n")
         self.assertEqual([row[4:] for row in out], [[0, 0, 0, 1], [0, 0, 0, -1], [0, 0, 0, 1]])

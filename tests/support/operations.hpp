@@ -76,6 +76,10 @@ template <class T>
 void add_angles(std::vector<operation<T>>& all);
 template <class T>
 void add_algebra(std::vector<operation<T>>& all);
+template <class T>
+void add_exponentials(std::vector<operation<T>>& all);
+template <class T>
+void add_arcs(std::vector<operation<T>>& all);
 
 template <class T>
 void add_interpolation(std::vector<operation<T>>& all);
@@ -87,6 +91,8 @@ std::vector<operation<T>> all_operations() {
     add_angles(all);
     add_interpolation(all);
     add_algebra(all);
+    add_exponentials(all);
+    add_arcs(all);
     return all;
 }
 

@@ -23,7 +23,7 @@ struct eval_settings {
     axis_argument axis = swivel::axis::z;
     factor_form form = factor_form::full;
     bool signs = false;
-    parameter_argument t = number{0.5F, 0.5};
+    parameter_argument t = number{0.5F, 0.5}, angle = number{};
     std::optional<parameter_argument> twist_t;
     bool tip = false;
     bool reads_axis = false;
@@ -57,6 +57,8 @@ extern const eval_operation eval_nlerp, eval_slerp, eval_sterp;
 extern const eval_operation eval_atan2, eval_sincos;
 extern const eval_operation eval_align_signs, eval_conjugate, eval_dot, eval_multiply, eval_normalize,
     eval_rotate;
+extern const eval_operation eval_exp, eval_log, eval_power, eval_square_root;
+extern const eval_operation eval_arc_with_twist, eval_shortest_arc;
 extern const eval_operation eval_compose, eval_decompose, eval_swing, eval_twist, eval_twist_angle;
 
 [[nodiscard]] std::span<const eval_operation* const> eval_operations() noexcept;

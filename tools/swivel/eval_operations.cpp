@@ -5,9 +5,11 @@ namespace swivel::command {
 
 std::span<const eval_operation* const> eval_operations() noexcept {
     static constexpr const eval_operation* operations[] = {
-        &eval_decompose, &eval_compose, &eval_twist,  &eval_swing,       &eval_twist_angle, &eval_slerp,
-        &eval_nlerp,     &eval_sterp,   &eval_sincos, &eval_atan2,       &eval_multiply,    &eval_conjugate,
-        &eval_normalize, &eval_rotate,  &eval_dot,    &eval_align_signs,
+        &eval_decompose,    &eval_compose,        &eval_twist,     &eval_swing,  &eval_twist_angle,
+        &eval_slerp,        &eval_nlerp,          &eval_sterp,     &eval_sincos, &eval_atan2,
+        &eval_multiply,     &eval_conjugate,      &eval_normalize, &eval_rotate, &eval_dot,
+        &eval_align_signs,  &eval_square_root,    &eval_exp,       &eval_log,    &eval_power,
+        &eval_shortest_arc, &eval_arc_with_twist,
     };
     return operations;
 }
