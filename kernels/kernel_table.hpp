@@ -66,6 +66,12 @@ struct operations {
     kernel<T> power[precisions];
     kernel<T> shortest_arc[precisions];
     kernel<T> arc_with_twist[2][precisions];  // the twist after, before the arc
+    kernel<T> from_axis_angle[axis_forms][precisions];
+    kernel<T> to_axis_angle[precisions];
+    kernel<T> from_euler[precisions];
+    kernel<T> to_euler[precisions];
+    kernel<T> from_matrix[precisions];
+    kernel<T> to_matrix[precisions];
 };
 
 struct kernel_table {

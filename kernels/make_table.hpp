@@ -6,12 +6,15 @@
 #include "align_signs.hpp"
 #include "arc_with_twist.hpp"
 #include "atan2.hpp"
+#include "axis_angle.hpp"
 #include "compose.hpp"
 #include "conjugate.hpp"
 #include "decompose.hpp"
 #include "dot.hpp"
+#include "euler.hpp"
 #include "exp.hpp"
 #include "log.hpp"
+#include "matrix.hpp"
 #include "nlerp.hpp"
 #include "normalize.hpp"
 #include "power.hpp"
@@ -102,6 +105,14 @@ struct fill {
             deep_loop<arc_with_twist_op<P, false, V>, arc_with_twist_op<P, false, W>>;
         table.arc_with_twist[true][P] =
             deep_loop<arc_with_twist_op<P, true, V>, arc_with_twist_op<P, true, W>>;
+        table.from_axis_angle[coordinate_index][P] = loop<from_coordinate_axis_angle_op<P, V>>;
+        table.from_axis_angle[uniform_index][P] = loop<from_uniform_axis_angle_op<P, V>>;
+        table.from_axis_angle[per_element_index][P] = loop<from_each_axis_angle_op<P, V>>;
+        table.to_axis_angle[P] = loop<to_axis_angle_op<P, V>>;
+        table.from_euler[P] = loop<from_euler_op<P, V>>;
+        table.to_euler[P] = loop<to_euler_op<P, V>>;
+        table.from_matrix[P] = loop<from_matrix_op<P, V>>;
+        table.to_matrix[P] = loop<to_matrix_op<P, V>>;
     }
 };
 

@@ -28,6 +28,7 @@ inline constexpr component_order per_element_orders[2] = {{per_element_index, {0
                                                           {per_element_index, {1, 0, 2, 3}}};
 inline constexpr component_order as_it_is{uniform_index, {0, 1, 2, 3}};
 inline constexpr std::uint8_t in_order[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+inline constexpr std::uint8_t spinor_places[] = {3, 2, 0, 1};
 // s1 and s2 are exchanged with B and C.
 inline constexpr std::uint8_t factor_places[2][5] = {{0, 1, 2, 3, 4}, {1, 0, 2, 3, 4}};
 
@@ -57,6 +58,12 @@ stream_group<T, 1> group_of(const scalar_view<T>& v) noexcept {
     return {{v.data}, v.size, v.stride, in_order};
 }
 
+// As x y z w, but for the signs.
+template <class T>
+stream_group<T, 4> group_of(const spinor_view<T>& s) noexcept {
+    return {{s.a, s.b, s.c, s.d}, s.size, s.stride, spinor_places};
+}
+
 template <class T>
 stream_group<T, 9> group_of(const matrix_view<T>& m) noexcept {
     return {{m.xx, m.xy, m.xz, m.yx, m.yy, m.yz, m.zx, m.zy, m.zz}, m.size, m.stride, in_order};
@@ -83,6 +90,9 @@ inline status check(const options& o) noexcept {
 }
 
 inline status check(axis a) noexcept { return a <= axis::z ? status::ok : status::bad_argument; }
+inline status check(euler_order order) noexcept {
+    return order <= euler_order::zyx ? status::ok : status::bad_argument;
+}
 
 inline precision_index index_of(precision p) noexcept {
     return p == precision::fast ? fast_index : reproducible_index;

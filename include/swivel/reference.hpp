@@ -140,6 +140,34 @@ status arc_with_twist(const vec3_view<const float>& v, const vec3_view<const flo
 status arc_with_twist(const vec3_view<const double>& v, const vec3_view<const double>& w,
                       const parameter<double>& radians, const quat_view<double>& out, options = {}) noexcept;
 
+status from_axis_angle(const twist_axis<float>& a, const scalar_view<const float>& radians,
+                       const quat_view<float>& q, options = {}) noexcept;
+status from_axis_angle(const twist_axis<double>& a, const scalar_view<const double>& radians,
+                       const quat_view<double>& q, options = {}) noexcept;
+status to_axis_angle(const quat_view<const float>& q, const vec3_view<float>& a,
+                     const scalar_view<float>& radians, options = {}) noexcept;
+status to_axis_angle(const quat_view<const double>& q, const vec3_view<double>& a,
+                     const scalar_view<double>& radians, options = {}) noexcept;
+
+status from_spinor(const spinor_view<const float>& s, const quat_view<float>& q, options = {}) noexcept;
+status from_spinor(const spinor_view<const double>& s, const quat_view<double>& q, options = {}) noexcept;
+status to_spinor(const quat_view<const float>& q, const spinor_view<float>& s, options = {}) noexcept;
+status to_spinor(const quat_view<const double>& q, const spinor_view<double>& s, options = {}) noexcept;
+
+status from_matrix(const matrix_view<const float>& m, const quat_view<float>& q, options = {}) noexcept;
+status from_matrix(const matrix_view<const double>& m, const quat_view<double>& q, options = {}) noexcept;
+status to_matrix(const quat_view<const float>& q, const matrix_view<float>& m, options = {}) noexcept;
+status to_matrix(const quat_view<const double>& q, const matrix_view<double>& m, options = {}) noexcept;
+
+status from_euler(const vec3_view<const float>& radians, euler_order order, const quat_view<float>& q,
+                  options = {}) noexcept;
+status from_euler(const vec3_view<const double>& radians, euler_order order, const quat_view<double>& q,
+                  options = {}) noexcept;
+status to_euler(const quat_view<const float>& q, euler_order order, const vec3_view<float>& radians,
+                options = {}) noexcept;
+status to_euler(const quat_view<const double>& q, euler_order order, const vec3_view<double>& radians,
+                options = {}) noexcept;
+
 }  // namespace swivel::reference
 
 #endif

@@ -38,6 +38,11 @@ enum class product : std::uint8_t {
     twist_swing   // q = T R
 };
 
+// The order of three rotations about coordinate axes. xyz is the quaternion qx qy qz: about x, then about the y
+// that this has turned, then about the z that both have turned; or about the axes as they stand, z first. It is
+// what the channels "Xrotation Yrotation Zrotation" of a BVH file mean.
+enum class euler_order : std::uint8_t { xyz, xzy, yxz, yzx, zxy, zyx };
+
 enum class precision : std::uint8_t {
     // The quickest arithmetic of the ISA: fused multiply-add, estimate of the reciprocal root, Newton steps.
     fast,
@@ -128,6 +133,18 @@ struct matrix_view {
 
     constexpr operator matrix_view<const T>() const noexcept requires(!std::is_const_v<T>) {
         return {xx, xy, xz, yx, yy, yz, zx, zy, zz, size, stride};
+    }
+};
+
+// The spinors a + b e12 + c e23 + d e31 of Dobrowolski's paper.
+template <class T>
+struct spinor_view {
+    T *a, *b, *c, *d;
+    std::size_t size;
+    std::ptrdiff_t stride = 1;
+
+    constexpr operator spinor_view<const T>() const noexcept requires(!std::is_const_v<T>) {
+        return {a, b, c, d, size, stride};
     }
 };
 

@@ -58,6 +58,31 @@ factors<T> read(const factor_view<const T>& v, std::size_t i) {
     return {v.s1[i], v.s2[i], v.sc[i], v.ts[i], v.tc[i]};
 }
 
+template <class T>
+struct matrix3 {
+    T xx, xy, xz, yx, yy, yz, zx, zy, zz;
+};
+
+template <class T>
+matrix3<T> read(const matrix_view<const T>& v, std::size_t i) {
+    const auto at = [&](const T* first) { return *element(first, i, v.stride); };
+    return {at(v.xx), at(v.xy), at(v.xz), at(v.yx), at(v.yy), at(v.yz), at(v.zx), at(v.zy), at(v.zz)};
+}
+
+template <class T>
+void write(const matrix_view<T>& v, std::size_t i, const matrix3<T>& m) {
+    const auto put = [&](T* first, T a) { *element(first, i, v.stride) = a; };
+    put(v.xx, m.xx);
+    put(v.xy, m.xy);
+    put(v.xz, m.xz);
+    put(v.yx, m.yx);
+    put(v.yy, m.yy);
+    put(v.yz, m.yz);
+    put(v.zx, m.zx);
+    put(v.zy, m.zy);
+    put(v.zz, m.zz);
+}
+
 // The checks of the operation; `ok` with a size of 0 means that there is nothing to do.
 template <class T, class Numbers, class... In, class... Out>
 status check_call(const Numbers& numbers, const std::tuple<In...>& reads, const std::tuple<Out...>& writes,

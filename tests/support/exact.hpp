@@ -114,6 +114,20 @@ exact_factors<W> factor(const quat<W>& q, const vec3<W>& a, product order) {
     return {order == product::swing_twist ? times(q, conjugate(t)) : times(conjugate(t), q), t, r / norm(q)};
 }
 
+// By way of long double, whose 11 bits more than double has are enough to judge by.
+template <class W>
+W sine(W a) {
+    return W(std::sin(static_cast<long double>(a)));
+}
+template <class W>
+W cosine(W a) {
+    return W(std::cos(static_cast<long double>(a)));
+}
+template <class W>
+W angle_of(W y, W x) {
+    return W(std::atan2(static_cast<long double>(y), static_cast<long double>(x)));
+}
+
 // The unit of the errors: 2^-24 or 2^-53.
 template <class T>
 constexpr double rounding_unit = sizeof(T) == 4 ? 0x1p-24 : 0x1p-53;

@@ -82,6 +82,8 @@ template <class T>
 void add_arcs(std::vector<operation<T>>& all);
 
 template <class T>
+void add_conversions(std::vector<operation<T>>& all);
+template <class T>
 void add_interpolation(std::vector<operation<T>>& all);
 
 template <class T>
@@ -93,6 +95,7 @@ std::vector<operation<T>> all_operations() {
     add_algebra(all);
     add_exponentials(all);
     add_arcs(all);
+    add_conversions(all);
     return all;
 }
 

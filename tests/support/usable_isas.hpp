@@ -27,6 +27,8 @@ private:
     isa before_ = active_isa();
 };
 
+inline const char* name(precision p) { return p == precision::fast ? "fast" : "reproducible"; }
+
 inline std::string isa_name(const testing::TestParamInfo<isa>& info) { return name(info.param); }
 
 }  // namespace swivel::tests
