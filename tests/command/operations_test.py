@@ -3,7 +3,7 @@
 import math
 import random
 
-from support import (HEADER, CommandTest, conjugate, main, multiply, rows, swing_twist, usable_isas)
+from support import (HEADER, CommandTest, conjugate, main, multiply, rotation_of, rows, swing_twist, usable_isas)
 
 AXES = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "3,-4,12": (3, -4, 12), "-1e-200,2e-200,0": (-1, 2, 0)}
 
@@ -301,6 +301,82 @@ class Operations(CommandTest):
                     self.assertNear(row, q, 10 ** -digits)
         self.fails(1, "<stdin>:1:13: unknown column 'nx'", "eval", "align_signs", "--sequence",
                    stdin="qx qy qz qw nx ny nz nw\n")
+
+    def test_from_axis_angle_is_the_definition(self):
+        generator = random.Random(3)
+        angles = [generator.uniform(-9, 9) for _ in range(40)]
+        axes = [tuple(generator.uniform(-9, 9) for _ in range(3)) for _ in angles]
+
+        def expected(axis, angle):
+            length = math.sqrt(sum(c * c for c in axis))
+            return [c / length * math.sin(angle / 2) for c in axis] + [math.cos(angle / 2)]
+
+        for text, axis in (("x", (1, 0, 0)), ("z", (0, 0, 1)), ("3,-4,12", (3, -4, 12))):
+            names, out = self.evaluate("from_axis_angle", table("angle\n", [(a,) for a in angles]), "--axis", text)
+            self.assertEqual(names, ["qx", "qy", "qz", "qw"])
+            for angle, row in zip(angles, out):
+                self.assertNear(row, expected(axis, angle))
+        stdin = table("ax ay az angle\n", [v + (a,) for v, a in zip(axes, angles)] + [(0, 0, 0, 2)])
+        _, out = self.evaluate("from_axis_angle", stdin, "--axis", "columns")
+        for axis, angle, row in zip(axes, angles, out):
+            self.assertNear(row, expected(axis, angle))
+        self.assertEqual(out[-1], [0, 0, 0, 1])
+
+    def test_to_axis_angle_is_the_definition(self):
+        rotations = random_rotations(50)
+        names, out = self.evaluate("to_axis_angle", table(HEADER, rotations + [(0, 0, 0, 1), (0, 3e-200, 4e-200, 1)]))
+        self.assertEqual(names, ["ax", "ay", "az", "angle"])
+        for q, row in zip(rotations, out):
+            length = math.sqrt(sum(c * c for c in q[:3]))
+            self.assertNear(row, [c / length for c in q[:3]] + [2 * math.atan2(length, q[3])])
+        self.assertEqual(out[-2], [1, 0, 0, 0])
+        self.assertNear(out[-1], [0, 0.6, 0.8, 0])
+        self.assertAlmostEqual(out[-1][3] / 1e-199, 1)
+
+    def test_spinors_are_moved_with_their_signs(self):
+        names, out = self.evaluate("from_spinor", "d c b a\n4 3 2 1\n")
+        self.assertEqual((names, out), (["qx", "qy", "qz", "qw"], [[-3, -4, -2, 1]]))
+        names, out = self.evaluate("to_spinor", HEADER + "-3 -4 -2 1\n")
+        self.assertEqual((names, out), (["a", "b", "c", "d"], [[1, 2, 3, 4]]))
+
+    def test_matrices_turn_vectors_as_the_quaternion_does(self):
+        rotations = random_rotations(40) + [(1, 0, 0, 0), (0.6, 0.8, 0, 0), (0, -0.6, 0.8, 0), (0, 0, 0, 1)]
+        matrices = []
+        for layout in ("soa", "aos"):
+            names, matrices = self.evaluate("to_matrix", table(HEADER, rotations), "--layout", layout)
+            self.assertEqual(names, ["m" + r + c for r in "xyz" for c in "xyz"])
+            for q, m in zip(rotations, matrices):
+                for column in range(3):
+                    basis = tuple(float(k == column) for k in range(3)) + (0.0,)
+                    self.assertNear(m[column::3], multiply(multiply(q, basis), conjugate(q))[:3])
+        _, out = self.evaluate("from_matrix", table(" ".join(names) + "\n", matrices))
+        for q, row in zip(rotations, out):
+            sign = 1 if sum(a * b for a, b in zip(q, row)) > 0 else -1
+            self.assertNear(row, [sign * c for c in q])
+            self.assertGreaterEqual(math.copysign(1, row[3]), 0)
+
+    def test_euler_angles_are_turns_in_the_order_of_the_channels(self):
+        generator = random.Random(5)
+        angles = [tuple(generator.uniform(-4, 4) for _ in range(3)) for _ in range(40)]
+        for order in ("xyz", "xzy", "yxz", "yzx", "zxy", "zyx"):
+            names, out = self.evaluate("from_euler", table("ex ey ez\n", angles), "--order", order)
+            self.assertEqual(names, ["qx", "qy", "qz", "qw"])
+            channels = [c.upper() + "rotation" for c in order]
+            for e, row in zip(angles, out):
+                degrees = [math.degrees(e["xyz".index(c)]) for c in order]
+                self.assertNear(row, rotation_of(channels, degrees))
+            names, back = self.evaluate("to_euler", table(HEADER, out), "--order", order)
+            self.assertEqual(names, ["ex", "ey", "ez"])
+            for q, e in zip(out, back):
+                self.assertLessEqual(abs(e["xyz".index(order[1])]), math.pi / 2)
+                again = rotation_of(channels, [math.degrees(e["xyz".index(c)]) for c in order])
+                sign = 1 if sum(a * b for a, b in zip(q, again)) > 0 else -1
+                self.assertNear(q, [sign * c for c in again])
+        # 90 degrees about y between x and z: what is left goes to x.
+        half = math.sqrt(0.5)
+        _, out = self.evaluate("to_euler", HEADER + f"0 {half!r} 0 {half!r}\n")
+        self.assertNear(out[0], [0, math.pi / 2, 0])
+        self.fails(2, "--order: 'abc' is none of xyz|xzy|yxz|yzx|zxy|zyx", "eval", "to_euler", "--order", "abc")
 
 
 if __name__ == "__main__":

@@ -27,6 +27,7 @@ struct eval_settings {
     std::optional<parameter_argument> twist_t;
     bool tip = false;
     bool reads_axis = false;
+    swivel::euler_order euler = swivel::euler_order::xyz;
     swivel::options options;
     // Each row goes on from the one before, over the blocks in which an operation gets them.
     bool sequence = false;
@@ -55,6 +56,8 @@ struct eval_operation {
 
 extern const eval_operation eval_nlerp, eval_slerp, eval_sterp;
 extern const eval_operation eval_atan2, eval_sincos;
+extern const eval_operation eval_from_axis_angle, eval_from_euler, eval_from_matrix, eval_from_spinor;
+extern const eval_operation eval_to_axis_angle, eval_to_euler, eval_to_matrix, eval_to_spinor;
 extern const eval_operation eval_align_signs, eval_conjugate, eval_dot, eval_multiply, eval_normalize,
     eval_rotate;
 extern const eval_operation eval_exp, eval_log, eval_power, eval_square_root;
