@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     swivel_bench::add_algebra_rows();
     swivel_bench::add_exponentials_rows();
     swivel_bench::add_arcs_rows();
+    swivel_bench::add_conversions_rows();
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
 }

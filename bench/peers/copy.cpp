@@ -72,6 +72,10 @@ template void copy(const float* const (&)[3], float* const (&)[3], std::size_t) 
 template void copy(const double* const (&)[3], double* const (&)[3], std::size_t) noexcept;
 template void copy(const float* const (&)[6], float* const (&)[4], std::size_t) noexcept;
 template void copy(const double* const (&)[6], double* const (&)[4], std::size_t) noexcept;
+template void copy(const float* const (&)[9], float* const (&)[4], std::size_t) noexcept;
+template void copy(const double* const (&)[9], double* const (&)[4], std::size_t) noexcept;
+template void copy(const float* const (&)[4], float* const (&)[9], std::size_t) noexcept;
+template void copy(const double* const (&)[4], double* const (&)[9], std::size_t) noexcept;
 
 template void copy_by_memcpy(const float* const (&)[4], float* const (&)[8], std::size_t) noexcept;
 template void copy_by_memcpy(const double* const (&)[4], double* const (&)[8], std::size_t) noexcept;
@@ -83,6 +87,8 @@ template void copy_by_memcpy(const float* const (&)[4], float* const (&)[4], std
 template void copy_by_memcpy(const double* const (&)[4], double* const (&)[4], std::size_t) noexcept;
 template void copy_by_memcpy(const float* const (&)[1], float* const (&)[2], std::size_t) noexcept;
 template void copy_by_memcpy(const double* const (&)[1], double* const (&)[2], std::size_t) noexcept;
+template void copy_by_memcpy(const float* const (&)[4], float* const (&)[9], std::size_t) noexcept;
+template void copy_by_memcpy(const double* const (&)[4], double* const (&)[9], std::size_t) noexcept;
 template void copy_by_memcpy(const float* const (&)[1], float* const (&)[1], std::size_t) noexcept;
 template void copy_by_memcpy(const double* const (&)[1], double* const (&)[1], std::size_t) noexcept;
 template void copy_by_memcpy(const float* const (&)[3], float* const (&)[3], std::size_t) noexcept;

@@ -156,6 +156,55 @@ void sterp(const T* a, const T* b, swivel::vec3<T> axis, const T* t, T* out, std
     }
 }
 
+template <class T>
+void from_matrix(const T* m, T* q, std::size_t n) noexcept {
+    const auto* const from = reinterpret_cast<const Eigen::Matrix<T, 3, 3>*>(m);
+    quaternion<T>* const to = array_of(q);
+    for (std::size_t i = 0; i < n; ++i) to[i] = quaternion<T>(from[i]);
+}
+
+template <class T>
+void to_matrix(const T* q, T* m, std::size_t n) noexcept {
+    const quaternion<T>* const from = array_of(q);
+    auto* const to = reinterpret_cast<Eigen::Matrix<T, 3, 3>*>(m);
+    for (std::size_t i = 0; i < n; ++i) to[i] = from[i].toRotationMatrix();
+}
+
+template <class T>
+void from_euler(const T* radians, T* q, std::size_t n) noexcept {
+    using turn = Eigen::AngleAxis<T>;
+    quaternion<T>* const to = array_of(q);
+    for (std::size_t i = 0; i < n; ++i) {
+        const T* const e = radians + 3 * i;
+        to[i] =
+            turn(e[2], vector<T>::UnitZ()) * turn(e[0], vector<T>::UnitX()) * turn(e[1], vector<T>::UnitY());
+    }
+}
+
+template <class T>
+void to_euler(const T* q, T* radians, std::size_t n) noexcept {
+    const quaternion<T>* const from = array_of(q);
+    auto* const to = reinterpret_cast<vector<T>*>(radians);
+    for (std::size_t i = 0; i < n; ++i) to[i] = from[i].toRotationMatrix().eulerAngles(2, 0, 1);
+}
+
+template <class T>
+void from_axis_angle(swivel::vec3<T> a, const T* radians, T* q, std::size_t n) noexcept {
+    quaternion<T>* const to = array_of(q);
+    const vector<T> unit(a.x, a.y, a.z);
+    for (std::size_t i = 0; i < n; ++i) to[i] = Eigen::AngleAxis<T>(radians[i], unit);
+}
+
+template void from_matrix(const float*, float*, std::size_t) noexcept;
+template void from_matrix(const double*, double*, std::size_t) noexcept;
+template void to_matrix(const float*, float*, std::size_t) noexcept;
+template void to_matrix(const double*, double*, std::size_t) noexcept;
+template void from_euler(const float*, float*, std::size_t) noexcept;
+template void from_euler(const double*, double*, std::size_t) noexcept;
+template void to_euler(const float*, float*, std::size_t) noexcept;
+template void to_euler(const double*, double*, std::size_t) noexcept;
+template void from_axis_angle(swivel::vec3<float>, const float*, float*, std::size_t) noexcept;
+template void from_axis_angle(swivel::vec3<double>, const double*, double*, std::size_t) noexcept;
 template void slerp(const float*, const float*, const float*, float*, std::size_t) noexcept;
 template void slerp(const double*, const double*, const double*, double*, std::size_t) noexcept;
 template void nlerp(const float*, const float*, const float*, float*, std::size_t) noexcept;

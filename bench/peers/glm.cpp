@@ -113,6 +113,54 @@ void slerp(const T* a, const T* b, const T* t, T* out, std::size_t n) noexcept {
     for (std::size_t i = 0; i < n; ++i) result[i] = glm::slerp(from[i], to[i], t[i]);
 }
 
+template <class T>
+using matrix = glm::mat<3, 3, T, glm::defaultp>;
+
+template <class T>
+void from_matrix(const T* m, T* q, std::size_t n) noexcept {
+    const auto* const from = reinterpret_cast<const matrix<T>*>(m);
+    quaternion<T>* const to = array_of(q);
+    for (std::size_t i = 0; i < n; ++i) to[i] = glm::quat_cast(from[i]);
+}
+
+template <class T>
+void to_matrix(const T* q, T* m, std::size_t n) noexcept {
+    const quaternion<T>* const from = array_of(q);
+    auto* const to = reinterpret_cast<matrix<T>*>(m);
+    for (std::size_t i = 0; i < n; ++i) to[i] = glm::mat3_cast(from[i]);
+}
+
+template <class T>
+void from_euler(const T* radians, T* q, std::size_t n) noexcept {
+    const auto* const from = reinterpret_cast<const vector<T>*>(radians);
+    quaternion<T>* const to = array_of(q);
+    for (std::size_t i = 0; i < n; ++i) to[i] = quaternion<T>(from[i]);
+}
+
+template <class T>
+void to_euler(const T* q, T* radians, std::size_t n) noexcept {
+    const quaternion<T>* const from = array_of(q);
+    auto* const to = reinterpret_cast<vector<T>*>(radians);
+    for (std::size_t i = 0; i < n; ++i) to[i] = glm::eulerAngles(from[i]);
+}
+
+template <class T>
+void from_axis_angle(swivel::vec3<T> a, const T* radians, T* q, std::size_t n) noexcept {
+    quaternion<T>* const to = array_of(q);
+    const vector<T> unit(a.x, a.y, a.z);
+    for (std::size_t i = 0; i < n; ++i) to[i] = glm::angleAxis(radians[i], unit);
+}
+
+template void from_matrix(const float*, float*, std::size_t) noexcept;
+template void from_matrix(const double*, double*, std::size_t) noexcept;
+template void to_matrix(const float*, float*, std::size_t) noexcept;
+template void to_matrix(const double*, double*, std::size_t) noexcept;
+template void from_euler(const float*, float*, std::size_t) noexcept;
+template void from_euler(const double*, double*, std::size_t) noexcept;
+template void to_euler(const float*, float*, std::size_t) noexcept;
+template void to_euler(const double*, double*, std::size_t) noexcept;
+template void from_axis_angle(swivel::vec3<float>, const float*, float*, std::size_t) noexcept;
+template void from_axis_angle(swivel::vec3<double>, const double*, double*, std::size_t) noexcept;
 template void slerp(const float*, const float*, const float*, float*, std::size_t) noexcept;
 template void slerp(const double*, const double*, const double*, double*, std::size_t) noexcept;
 

@@ -49,6 +49,17 @@ template <class T>
 void shortest_arc(const T* v, const T* w, T* out, std::size_t n) noexcept;
 template <class T>
 void arc_with_twist(const T* v, const T* w, T radians, T* out, std::size_t n) noexcept;
+// Conversions by the library's own functions: matrices as it stores them, Euler angles in one order.
+template <class T>
+void from_matrix(const T* m, T* q, std::size_t n) noexcept;
+template <class T>
+void to_matrix(const T* q, T* m, std::size_t n) noexcept;
+template <class T>
+void from_euler(const T* radians, T* q, std::size_t n) noexcept;
+template <class T>
+void to_euler(const T* q, T* radians, std::size_t n) noexcept;
+template <class T>
+void from_axis_angle(swivel::vec3<T> a, const T* radians, T* q, std::size_t n) noexcept;
 }  // namespace eigen
 
 namespace glm_peer {
@@ -82,6 +93,17 @@ template <class T>
 void shortest_arc(const T* v, const T* w, T* out, std::size_t n) noexcept;
 template <class T>
 void arc_with_twist(const T* v, const T* w, T radians, T* out, std::size_t n) noexcept;
+// As above.
+template <class T>
+void from_matrix(const T* m, T* q, std::size_t n) noexcept;
+template <class T>
+void to_matrix(const T* q, T* m, std::size_t n) noexcept;
+template <class T>
+void from_euler(const T* radians, T* q, std::size_t n) noexcept;
+template <class T>
+void to_euler(const T* q, T* radians, std::size_t n) noexcept;
+template <class T>
+void from_axis_angle(swivel::vec3<T> a, const T* radians, T* q, std::size_t n) noexcept;
 }  // namespace glm_peer
 
 // The compact form about z after Reynolds' article: one record of five numbers for each quaternion, with his

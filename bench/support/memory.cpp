@@ -146,6 +146,39 @@ swivel::vec3_view<const T> workload<T>::other_axes() {
 }
 
 template <class T>
+swivel::matrix_view<T> workload<T>::take_matrices(memory::role r) {
+    if (layout_ == layout::aos) return swivel::aos_rows(take(9 * n_, r), n_);
+    T* stream[9];
+    for (T*& s : stream) s = take(n_, r);
+    return {stream[0], stream[1], stream[2], stream[3], stream[4],
+            stream[5], stream[6], stream[7], stream[8], n_};
+}
+
+template <class T>
+swivel::matrix_view<const T> workload<T>::matrices() {
+    const swivel::matrix_view<T> m = take_matrices(memory::role::read);
+    for (std::size_t i = 0; i < n_; ++i) {
+        const auto [x, y, z, w] = samples()[i % distinct];
+        const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i) * m.stride;
+        m.xx[at] = static_cast<T>(1 - 2 * (y * y + z * z));
+        m.xy[at] = static_cast<T>(2 * (x * y - z * w));
+        m.xz[at] = static_cast<T>(2 * (x * z + y * w));
+        m.yx[at] = static_cast<T>(2 * (x * y + z * w));
+        m.yy[at] = static_cast<T>(1 - 2 * (x * x + z * z));
+        m.yz[at] = static_cast<T>(2 * (y * z - x * w));
+        m.zx[at] = static_cast<T>(2 * (x * z - y * w));
+        m.zy[at] = static_cast<T>(2 * (y * z + x * w));
+        m.zz[at] = static_cast<T>(1 - 2 * (x * x + y * y));
+    }
+    return m;
+}
+
+template <class T>
+swivel::matrix_view<T> workload<T>::written_matrices() {
+    return take_matrices(memory::role::written);
+}
+
+template <class T>
 swivel::factor_view<const T> workload<T>::factors() {
     T* stream[5];
     for (T*& s : stream) s = take(n_, memory::role::read);

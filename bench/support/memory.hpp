@@ -45,10 +45,13 @@ public:
     swivel::quat_view<const T> other_rotations();
     swivel::vec3_view<const T> axes();
     swivel::vec3_view<const T> other_axes();
+    // Of the rotations, row by row where they are in arrays.
+    swivel::matrix_view<const T> matrices();
     // Those of a decomposition about z.
     swivel::factor_view<const T> factors();
     swivel::quat_view<T> quaternions();
     swivel::vec3_view<T> vectors();
+    swivel::matrix_view<T> written_matrices();
     swivel::scalar_view<T> scalars();
     // From 0 to 1.
     swivel::scalar_view<const T> parameters();
@@ -63,6 +66,7 @@ public:
 private:
     swivel::quat_view<const T> rotations_from(std::size_t first);
     swivel::vec3_view<const T> axes_from(std::size_t first);
+    swivel::matrix_view<T> take_matrices(memory::role r);
     T* take(std::size_t count, memory::role r);
 
     std::size_t n_;

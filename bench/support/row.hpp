@@ -73,6 +73,7 @@ void add_interpolation_rows();
 void add_algebra_rows();
 void add_exponentials_rows();
 void add_arcs_rows();
+void add_conversions_rows();
 
 }  // namespace swivel_bench
 
