@@ -23,8 +23,8 @@
 //            component.
 // Accuracy   In units of 2^-24 (float) and 2^-53 (double), by sterp_test.cpp, for s and t in [-0.25, 1.25] and D at
 //            r = sqrt(w^2 + (a.v)^2) from the pole: reproducible 4 + 2/r, norm 2.8; fast 4.8 + 2.4/r, norm 3.4. On the
-//            long way the direction of a twist near 360 degrees is as uncertain: r is then at most the sine of its half, and the figures a
-//            third larger.
+//            long way the direction of a twist near 360 degrees is as uncertain: r is then at most the sine of its half, and the figures
+//            half as large again.
 // Identity   In reproducible s = t = 0 gives the bits of a, whatever its length, and s = t = 1 those of b (of -b, where that is on
 //            the way); in fast to rounding, of length 1.
 // Aliasing   The output may be exactly one of the streams that are read (types.hpp).
