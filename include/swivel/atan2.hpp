@@ -9,7 +9,8 @@
 // Domain     |x| and |y| below 2^126 (double: 2^1022).
 // Singular   (0, 0) gives 0 or pi, by the signs of the zeros, as std::atan2 does.
 // NaN/Inf    NaN where either is NaN or infinite.
-// Accuracy   In units in the last place of the result (atan2_test.cpp, tools/exhaustive_angles): reproducible 2, fast 2.
+// Accuracy   In units in the last place of the result (exhaustive_angles_test.cpp, with x = +-1; others and
+//            double: angles_test.cpp): reproducible 2, fast 2.
 // Identity   (1, 0) gives 0.
 // Aliasing   The output may be exactly either input (types.hpp).
 // Cost       One pass, 2 streams in and 1 out; one division, no branch, no table.

@@ -11,7 +11,7 @@
 // Singular   Nowhere.
 // NaN/Inf    NaN for either.
 // Accuracy   In units in the last place of the result, over the whole domain; for float every angle is tried
-//            (sincos_test.cpp, tools/exhaustive_angles): reproducible 2, fast 2.
+//            (exhaustive_angles_test.cpp; double: angles_test.cpp): reproducible 2, fast 2.
 // Identity   0 gives exactly (0, 1), with the sign of 0 kept.
 // Aliasing   Either output may be exactly the input (types.hpp).
 // Cost       One pass, 1 stream in and 2 out; no branch, no table.
