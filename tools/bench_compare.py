@@ -95,6 +95,12 @@ def targets(best):
         for peer, name in (("eigen", "Eigen"), ("glm", "GLM")):
             table.append(Target(f"decompose: {name} / {isa}", [row("decompose", peer, MANY, "aos")],
                                 [row("decompose", isa, MANY)], at_least=least))
+    for op, peer, name, least in (("slerp", "eigen", "Eigen", 18), ("slerp", "glm", "GLM", 18),
+                                  ("sterp", "eigen", "Eigen and std::", 22), ("power", "eigen", "Eigen and std::", 20),
+                                  ("exp", "eigen", "Eigen and std::", 15), ("log", "eigen", "Eigen and std::", 15)):
+        for isa, share in (("avx512", 1), ("avx2", 2)):
+            table.append(Target(f"{op}: {name} / {isa}", [row(op, peer, MANY, "aos")], [row(op, isa, MANY)],
+                                at_least=least / share))
     table.append(Target("decompose: plain loop / avx512", [row("decompose", "plain", MANY)],
                         [row("decompose", "avx512", MANY)], at_least=1.6))
     table.append(Target("decompose_compact: plain loop / avx512", [row("decompose_compact", "plain", MANY)],
