@@ -68,9 +68,9 @@ struct constants<double> {
                                      0x1.71de35552aeb6p-19, -0x1.ae5e4b8373053p-26, 0x1.5d8b556a87505p-33};
     static constexpr double cos[] = {0x1.555555555554cp-5,   -0x1.6c16c16c1521bp-10, 0x1.a01a019cbeb6ep-16,
                                      -0x1.27e4f812123d5p-22, 0x1.1ee9f0ccabf6dp-29,  -0x1.8fb0e1de41db5p-37};
-    // 33 bits each, for whole numbers up to 2^20.
-    static constexpr double half_pi_parts[] = {0x1.921fb544p0, 0x1.0b4611a6p-34, 0x1.3198a2ep-69,
-                                               0x1.b839a252049c1p-104};
+    // For whole numbers up to 2^20: 33 bits, so many that the second difference is exact, 33 bits, and the rest.
+    static constexpr double half_pi_parts[] = {0x1.921fb544p0, 0x1.0b46p-34, 0x1.1a626331p-54,
+                                               0x1.1701b839a252p-88};
     static constexpr double half_pi_fused[] = {0x1.921fb54442d18p0, 0x1.1a62633145c07p-54,
                                                -0x1.f1976b7ed8fbcp-110};
     static constexpr double largest_angle = 0x1p20;

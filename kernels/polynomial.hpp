@@ -15,14 +15,16 @@ inline V horner(V x, const scalar_of<V> (&c)[N]) noexcept {
         return M::multiply_add(horner<M, K + Step, Step>(x, c), x, V(c[K]));
 }
 
-// c[0] + c[1] x + ...; the long ones as two chains that do not wait for each other.
+// c[0] + c[1] x + ...; the long ones as two chains that do not wait for each other, but for the first two coefficients:
+// even and odd part alone are larger than their sum, and so are their roundings.
 template <class M, class V, std::size_t N>
 inline V polynomial(V x, const scalar_of<V> (&c)[N]) noexcept {
     if constexpr (N < 5) {
         return horner<M, 0, 1>(x, c);
     } else {
         const V xx = x * x;
-        return M::multiply_add(horner<M, 1, 2>(xx, c), x, horner<M, 0, 2>(xx, c));
+        const V rest = M::multiply_add(horner<M, 3, 2>(xx, c), x, horner<M, 2, 2>(xx, c));
+        return M::multiply_add(M::multiply_add(rest, x, V(c[1])), x, V(c[0]));
     }
 }
 

@@ -18,20 +18,24 @@
 
 namespace swivel::reference {
 
-// c0 + c1 x + ... by Horner's rule; the long ones as even and odd part.
+// c[first] + c[first + step] x + ... by Horner's rule.
+template <class T, std::size_t N>
+T horner(std::size_t first, std::size_t step, T x, const T (&c)[N]) {
+    std::size_t k = first + (N - 1 - first) / step * step;
+    T p = c[k];
+    while (k > first) {
+        k -= step;
+        p = p * x + c[k];
+    }
+    return p;
+}
+
+// c0 + c1 x + ...; of the long ones all but the first two coefficients as even and odd part.
 template <class T, std::size_t N>
 T polynomial(T x, const T (&c)[N]) {
-    const std::size_t step = N < 5 ? 1 : 2;
-    const auto from = [&](std::size_t first, T power) {
-        std::size_t k = first + (N - 1 - first) / step * step;
-        T p = c[k];
-        while (k > first) {
-            k -= step;
-            p = p * power + c[k];
-        }
-        return p;
-    };
-    return step == 1 ? from(0, x) : from(1, x * x) * x + from(0, x * x);
+    if (N < 5) return horner(0, 1, x, c);
+    const T rest = horner(3, 2, x * x, c) * x + horner(2, 2, x * x, c);
+    return (rest * x + c[1]) * x + c[0];
 }
 
 // For |z| <= 1.
