@@ -45,7 +45,7 @@ void expect_same(quat_buffer<T>& got, quat_buffer<T>& want, const std::string& w
 template <class T>
 void restores_a_curve() {
     generator g(1);
-    for (std::size_t n : {1, 2, 15, 255, 256, 257, 511, 512, 513, 5000})
+    for (std::size_t n : {1U, 2U, 15U, 255U, 256U, 257U, 511U, 512U, 513U, 5000U})
         for (layout l : all_layouts)
             for (precision p : both_precisions) {
                 quat_buffer<T> curve(n, l), q(n, l), out(n, l);
@@ -114,8 +114,8 @@ void nan_is_passed_over() {
     constexpr std::size_t n = 600;
     generator g(3);
     for (precision p : both_precisions)
-        for (std::size_t bad : {0, 1, 17, 254, 255, 256, 257, 511, 512, 599})
-            for (std::size_t run : {1, 2, 300}) {
+        for (std::size_t bad : {0U, 1U, 17U, 254U, 255U, 256U, 257U, 511U, 512U, 599U})
+            for (std::size_t run : {1U, 2U, 300U}) {
                 quat_buffer<T> q(n, layout::soa), out(n, layout::soa);
                 for (std::size_t i = 0; i < n; ++i)
                     q.set(i, g() % 2 != 0 ? on_curve<T>(i) : negative(on_curve<T>(i)));
