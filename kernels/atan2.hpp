@@ -29,15 +29,17 @@ inline V atan2_above(V y, V x) noexcept {
     const mask_of<V> steep = y > ax;
     const V small = select(steep, ax, y);
     const V large = select(steep, y, ax);
-    V rest = atan_of<P>(quotient(small, select(large == zero, one, large)));
-
-    V quarters = select(steep, one, zero);
-    rest = select(steep, zero - rest, rest);
     const mask_of<V> left = one_signed_like(x) < zero;
-    quarters = select(left, V(T(2)) - quarters, quarters);
-    rest = select(left, zero - rest, rest);
+    const V quarters = select(steep, one, select(left, V(T(2)), zero));
 
-    return quarters * V(C::half_pi) + M::multiply_add(quarters, V(C::half_pi_rest), rest);
+    // The angle of the quotient is odd: its sign is that of z.
+    const V minus(T(-0.0));
+    V z = quotient(small, select(large == zero, one, large));
+    z = z ^ select(steep, minus, zero) ^ select(left, minus, zero);
+    const V s = z * z;
+    // What is small comes first, so that the large sum, which rounds little or not at all, is rounded once more at most.
+    const V bend = M::multiply_add(z * s, polynomial<M>(s, C::atan), quarters * V(C::half_pi_rest));
+    return M::multiply_add(quarters, V(C::half_pi), z) + bend;
 }
 
 // In [-pi, pi], of any point. No libm gives the same bits on two systems.

@@ -19,7 +19,7 @@ struct quaternion_array {
 // One call of a kernel: contiguous streams of equal size, and a few numbers that are the same for all
 // elements. Which stream is which, and which numbers, is said where the kernel is defined. The streams of
 // leading quaternions may be in arrays instead.
-inline constexpr int most_inputs = 16, most_outputs = 9;
+inline constexpr int most_inputs = 16, most_outputs = 9, most_groups = 5;
 
 template <class T>
 struct batch {
@@ -28,8 +28,8 @@ struct batch {
     T uniform[6];
     std::size_t size;
     bool has_arrays = false;
-    quaternion_array<const T> in_array[3];
-    quaternion_array<T> out_array[3];
+    quaternion_array<const T> in_array[most_groups];
+    quaternion_array<T> out_array[most_groups];
 };
 
 template <class T>

@@ -93,7 +93,7 @@ status check(call_streams<T>& s) noexcept {
         if (s.out[i].size != s.size) return status::size_mismatch;
     if (s.size == 0) return status::ok;
 
-    extent in[call_streams<T>::most], out[call_streams<T>::most];
+    extent in[most_groups], out[most_groups];
     for (int i = 0; i < s.inputs; ++i) {
         if (const status bad = check_group(s.in[i], s.size, false); bad != status::ok) return bad;
         in[i] = extent_of(s.in[i]);

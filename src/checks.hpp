@@ -40,14 +40,14 @@ struct any_group {
 // All streams of a call.
 template <class T>
 struct call_streams {
-    static constexpr int most = 5;
-    any_group<const T> in[most];
-    any_group<T> out[most];
+    any_group<const T> in[most_groups];
+    any_group<T> out[most_groups];
     int inputs = 0, outputs = 0;
     std::size_t size = 0;
 
     template <class... In, class... Out>
     call_streams(const std::tuple<In...>& reads, const std::tuple<Out...>& writes) noexcept {
+        static_assert(sizeof...(In) <= most_groups && sizeof...(Out) <= most_groups);
         std::apply([&](const auto&... g) { ((in[inputs++] = any_group<const T>(g)), ...); }, reads);
         std::apply([&](const auto&... g) { ((out[outputs++] = any_group<T>(g)), ...); }, writes);
     }
@@ -146,7 +146,7 @@ private:
     std::ptrdiff_t bytes_;
     bool usual_, has_arrays_ = false;
     int reads_ = 0, writes_ = 0;
-    extent read_[call_streams<T>::most], written_[call_streams<T>::most];
+    extent read_[most_groups], written_[most_groups];
 };
 
 }  // namespace swivel

@@ -43,7 +43,7 @@ bool is_quaternion_array(const any_group<T>& g, quaternion_array<T>& array) noex
 template <class T>
 void run_any(kernel<T> run_kernel, const call_streams<T>& s, batch<T>& b) noexcept {
     alignas(64) T in_block[most_inputs][block_size<T>], out_block[most_outputs][block_size<T>];
-    bool in_staged[call_streams<T>::most], out_staged[call_streams<T>::most];
+    bool in_staged[most_groups], out_staged[most_groups];
     bool any_staged = false;
     for (quaternion_array<const T>& a : b.in_array) a.first = nullptr;
     for (quaternion_array<T>& a : b.out_array) a.first = nullptr;

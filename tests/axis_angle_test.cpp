@@ -17,7 +17,7 @@ constexpr precision both_precisions[] = {precision::fast, precision::reproducibl
 constexpr axis all_axes[] = {axis::x, axis::y, axis::z};
 
 // The bounds of axis_angle.hpp.
-constexpr double from_bound = 3, from_each_fast_bound = 4, axis_bound = 4, angle_bound = 4;
+constexpr double from_bound = 3, from_each_fast_bound = 4.5, axis_bound = 4, angle_bound = 4;
 
 template <class T>
 constexpr T largest_angle = sizeof(T) == 4 ? T(0x1p14) : T(0x1p21);

@@ -22,7 +22,7 @@
 // NaN/Inf    An element with a NaN or an infinity in a, b, its axis or its parameters comes out as NaN in every
 //            component.
 // Accuracy   In units of 2^-24 (float) and 2^-53 (double), by sterp_test.cpp, for s and t in [-0.25, 1.25] and D at
-//            r = sqrt(w^2 + (a.v)^2) from the pole: reproducible 4 + 2/r, norm 2.8; fast 4.8 + 2.4/r, norm 3.4. On the
+//            r = sqrt(w^2 + (a.v)^2) from the pole: reproducible 4 + 2/r, norm 2.8; fast 4.8 + 2.4/r, norm 4. On the
 //            long way the direction of a twist near 360 degrees is as uncertain: r is then at most the sine of its half, and the figures
 //            half as large again.
 // Identity   In reproducible s = t = 0 gives the bits of a, whatever its length, and s = t = 1 those of b (of -b, where that is on

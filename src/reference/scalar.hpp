@@ -51,17 +51,11 @@ T atan2_of(T y, T x) {
     const T ax = std::fabs(x), ay = std::fabs(y);
     const bool steep = ay > ax;
     const T small = steep ? ax : ay, large = steep ? ay : ax;
-    T rest = atan_of(small / (large == 0 ? T(1) : large));
-    T quarters = 0;
-    if (steep) {
-        quarters = 1;
-        rest = 0 - rest;
-    }
-    if (std::signbit(x)) {
-        quarters = 2 - quarters;
-        rest = 0 - rest;
-    }
-    const T angle = quarters * C::half_pi + (quarters * C::half_pi_rest + rest);
+    const bool left = std::signbit(x);
+    const T ratio = small / (large == 0 ? T(1) : large), z = steep != left ? -ratio : ratio, s = z * z;
+    const T quarters = steep ? 1 : left ? 2 : 0;
+    const T bend = (z * s) * polynomial(s, C::atan) + quarters * C::half_pi_rest;
+    const T angle = (quarters * C::half_pi + z) + bend;
     return std::signbit(y) ? -angle : angle;
 }
 

@@ -79,12 +79,12 @@ inline void add_no_options(CLI::App&, eval_settings&) {}
 template <class T>
 [[nodiscard]] swivel::parameter<T> parameter_of_rows(const parameter_argument& argument,
                                                      const eval_block<T>& in, std::size_t group) noexcept {
-    if (std::holds_alternative<parameter_column>(argument)) return in.scalar(group);
-    const number& n = std::get<number>(argument);
+    const number* n = std::get_if<number>(&argument);
+    if (n == nullptr) return in.scalar(group);
     if constexpr (std::is_same_v<T, float>)
-        return n.f32;
+        return n->f32;
     else
-        return n.f64;
+        return n->f64;
 }
 
 // For operations in compact form, which take nothing but a coordinate axis. Throws bad_usage.
