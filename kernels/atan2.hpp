@@ -37,9 +37,9 @@ inline V atan2_above(V y, V x) noexcept {
     V z = quotient(small, select(large == zero, one, large));
     z = z ^ select(steep, minus, zero) ^ select(left, minus, zero);
     const V s = z * z;
-    // What is small comes first, so that the large sum, which rounds little or not at all, is rounded once more at most.
+    // The smallest first: each sum rounds once, and the last one not at all where the angle is small.
     const V bend = M::multiply_add(z * s, polynomial<M>(s, C::atan), quarters * V(C::half_pi_rest));
-    return M::multiply_add(quarters, V(C::half_pi), z) + bend;
+    return M::multiply_add(quarters, V(C::half_pi), z + bend);
 }
 
 // In [-pi, pi], of any point. No libm gives the same bits on two systems.

@@ -55,7 +55,7 @@ T atan2_of(T y, T x) {
     const T ratio = small / (large == 0 ? T(1) : large), z = steep != left ? -ratio : ratio, s = z * z;
     const T quarters = steep ? 1 : left ? 2 : 0;
     const T bend = (z * s) * polynomial(s, C::atan) + quarters * C::half_pi_rest;
-    const T angle = (quarters * C::half_pi + z) + bend;
+    const T angle = quarters * C::half_pi + (z + bend);
     return std::signbit(y) ? -angle : angle;
 }
 
