@@ -19,7 +19,7 @@ struct quaternion_array {
 // One call of a kernel: contiguous streams of equal size, and a few numbers that are the same for all
 // elements. Which stream is which, and which numbers, is said where the kernel is defined. The streams of
 // leading quaternions may be in arrays instead.
-inline constexpr int most_inputs = 16, most_outputs = 9, most_groups = 5;
+inline constexpr int most_inputs = 33, most_outputs = 20, most_groups = 5, most_in_group = 16;
 
 template <class T>
 struct batch {

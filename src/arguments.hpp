@@ -27,7 +27,7 @@ inline constexpr component_order uniform_orders[2] = {{uniform_index, {0, 1, 2, 
 inline constexpr component_order per_element_orders[2] = {{per_element_index, {0, 1, 2, 3}},
                                                           {per_element_index, {1, 0, 2, 3}}};
 inline constexpr component_order as_it_is{uniform_index, {0, 1, 2, 3}};
-inline constexpr std::uint8_t in_order[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+inline constexpr std::uint8_t in_order[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 inline constexpr std::uint8_t spinor_places[] = {3, 2, 0, 1};
 // s1 and s2 are exchanged with B and C.
 inline constexpr std::uint8_t factor_places[2][5] = {{0, 1, 2, 3, 4}, {1, 0, 2, 3, 4}};
@@ -67,6 +67,25 @@ stream_group<T, 4> group_of(const spinor_view<T>& s) noexcept {
 template <class T>
 stream_group<T, 9> group_of(const matrix_view<T>& m) noexcept {
     return {{m.xx, m.xy, m.xz, m.yx, m.yy, m.yz, m.zx, m.zy, m.zz}, m.size, m.stride, in_order};
+}
+
+template <class T>
+stream_group<T, 8> group_of(const motor_view<T>& m) noexcept {
+    return {{m.x, m.y, m.z, m.w, m.dx, m.dy, m.dz, m.dw}, m.size, m.stride, in_order};
+}
+
+template <class T>
+stream_group<T, 16> group_of(const conformal_view<T>& c) noexcept {
+    stream_group<T, 16> g{{}, c.size, c.stride, in_order};
+    for (int k = 0; k < 16; ++k) g.stream[k] = c.blade[k];
+    return g;
+}
+
+template <class T>
+stream_group<T, 10> group_of(const bivector_view<T>& b) noexcept {
+    stream_group<T, 10> g{{}, b.size, b.stride, in_order};
+    for (int k = 0; k < 10; ++k) g.stream[k] = b.blade[k];
+    return g;
 }
 
 // One number for all is read over and over. The parameter must outlive the group.

@@ -24,7 +24,7 @@ struct stream_group {
 // The streams in the order of the kernel, and their number as a value.
 template <class T>
 struct any_group {
-    T* stream[most_outputs];
+    T* stream[most_in_group];
     int count;
     std::size_t size;
     std::ptrdiff_t stride;

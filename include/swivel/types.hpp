@@ -148,6 +148,49 @@ struct spinor_view {
     }
 };
 
+// Rigid motions as dual quaternions r + eps d: r = (x, y, z, w) is the rotation and d = (dx, dy, dz, dw) half of the
+// translation t times it, d = t r / 2. A point goes to r p r* + t. M and -M move alike. Motors are expected to be of
+// unit length, |r| = 1 and r.d = 0, to rounding; `normalize` brings them there.
+template <class T>
+struct motor_view {
+    T *x, *y, *z, *w, *dx, *dy, *dz, *dw;
+    std::size_t size;
+    std::ptrdiff_t stride = 1;
+
+    constexpr operator motor_view<const T>() const noexcept requires(!std::is_const_v<T>) {
+        return {x, y, z, w, dx, dy, dz, dw, size, stride};
+    }
+};
+
+// Even elements of the conformal algebra of space, e1 e2 e3 e4 = +1, e5 = -1 squared. In this order:
+// 1, e12 e13 e14 e15 e23 e24 e25 e34 e35 e45, e1234 e1235 e1245 e1345 e2345.
+template <class T>
+struct conformal_view {
+    T* blade[16];
+    std::size_t size;
+    std::ptrdiff_t stride = 1;
+
+    constexpr operator conformal_view<const T>() const noexcept requires(!std::is_const_v<T>) {
+        conformal_view<const T> v{{}, size, stride};
+        for (int k = 0; k < 16; ++k) v.blade[k] = blade[k];
+        return v;
+    }
+};
+
+// Bivectors of that algebra: e12 e13 e14 e15 e23 e24 e25 e34 e35 e45.
+template <class T>
+struct bivector_view {
+    T* blade[10];
+    std::size_t size;
+    std::ptrdiff_t stride = 1;
+
+    constexpr operator bivector_view<const T>() const noexcept requires(!std::is_const_v<T>) {
+        bivector_view<const T> v{{}, size, stride};
+        for (int k = 0; k < 10; ++k) v.blade[k] = blade[k];
+        return v;
+    }
+};
+
 template <class T>
 struct factor_view {
     T *s1, *s2, *sc, *ts, *tc;
@@ -189,6 +232,13 @@ template <class T>
 constexpr vec3_view<T> aos_xyz(T* first, std::size_t n) noexcept {
     if (first == nullptr) return {nullptr, nullptr, nullptr, n, 3};
     return {first, first + 1, first + 2, n, 3};
+}
+
+// n motors one after the other, x y z w dx dy dz dw each.
+template <class T>
+constexpr motor_view<T> aos_motors(T* p, std::size_t n) noexcept {
+    if (p == nullptr) return {nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, n, 8};
+    return {p, p + 1, p + 2, p + 3, p + 4, p + 5, p + 6, p + 7, n, 8};
 }
 
 // n matrices one after the other, row by row or column by column (glTF, OpenGL, Unity).

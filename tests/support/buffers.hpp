@@ -144,6 +144,39 @@ struct matrix_buffer : stream_buffer<T, 9> {
     }
 };
 
+// x y z w dx dy dz dw.
+template <class T>
+struct motor_buffer : stream_buffer<T, 8> {
+    using stream_buffer<T, 8>::stream_buffer;
+
+    motor_view<T> view() {
+        return {this->first(0), this->first(1), this->first(2), this->first(3), this->first(4),
+                this->first(5), this->first(6), this->first(7), this->size(),   this->stride()};
+    }
+};
+
+template <class T>
+struct conformal_buffer : stream_buffer<T, 16> {
+    using stream_buffer<T, 16>::stream_buffer;
+
+    conformal_view<T> view() {
+        conformal_view<T> v{{}, this->size(), this->stride()};
+        for (int k = 0; k < 16; ++k) v.blade[k] = this->first(k);
+        return v;
+    }
+};
+
+template <class T>
+struct bivector_buffer : stream_buffer<T, 10> {
+    using stream_buffer<T, 10>::stream_buffer;
+
+    bivector_view<T> view() {
+        bivector_view<T> v{{}, this->size(), this->stride()};
+        for (int k = 0; k < 10; ++k) v.blade[k] = this->first(k);
+        return v;
+    }
+};
+
 // Factor views have no stride: always structure of arrays.
 template <class T>
 struct factor_buffer : stream_buffer<T, 5> {
