@@ -11,7 +11,8 @@ struct constants;
 
 template <>
 struct constants<float> {
-    // eps^2, options::default_pole_threshold.
+    static constexpr float rounding = 0x1p-24f;
+    // Its square, options::default_pole_threshold.
     static constexpr float pole_threshold = 0x1p-48f;
     // Below this sum w^2 + u^2 the squares lose bits to underflow, whatever the threshold: 2^-126 of the
     // smallest normal number, and 24 bits and some to spare.
@@ -46,6 +47,7 @@ struct constants<float> {
 
 template <>
 struct constants<double> {
+    static constexpr double rounding = 0x1p-53;
     static constexpr double pole_threshold = 0x1p-106;
     static constexpr double pole_floor = 0x1p-960;
     static constexpr double infinity = __builtin_inf();

@@ -72,6 +72,20 @@ struct operations {
     kernel<T> to_euler[precisions];
     kernel<T> from_matrix[precisions];
     kernel<T> to_matrix[precisions];
+    kernel<T> motor_multiply[precisions];
+    kernel<T> motor_conjugate;
+    kernel<T> motor_normalize[precisions];
+    kernel<T> from_rotation_translation[precisions];
+    kernel<T> to_rotation_translation[precisions];
+    kernel<T> motor_transform[precisions];
+    kernel<T> motor_square_root[precisions];
+    kernel<T> motor_log[precisions];
+    kernel<T> motor_exp[precisions];
+    kernel<T> motor_power[precisions];
+    kernel<T> sclerp[2][precisions];  // the short, the long way
+    kernel<T> motor_blend[precisions];
+    kernel<T> motor_decompose[axis_forms][2][precisions];  // sign_left, sign_positive
+    kernel<T> motor_compose[precisions];
 };
 
 struct kernel_table {

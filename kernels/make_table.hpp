@@ -15,6 +15,8 @@
 #include "exp.hpp"
 #include "log.hpp"
 #include "matrix.hpp"
+#include "motor.hpp"
+#include "motor_power.hpp"
 #include "nlerp.hpp"
 #include "normalize.hpp"
 #include "power.hpp"
@@ -58,6 +60,9 @@ struct fill {
             table.twist_angle[coordinate_index][S][P] = loop<twist_angle_op<P, coordinate, S, V>>;
             table.twist_angle[uniform_index][S][P] = loop<twist_angle_op<P, uniform, S, V>>;
             table.twist_angle[per_element_index][S][P] = loop<twist_angle_op<P, per_element, S, V>>;
+            table.motor_decompose[coordinate_index][S][P] = loop<motor_decompose_op<P, coordinate, S, V>>;
+            table.motor_decompose[uniform_index][S][P] = loop<motor_decompose_op<P, uniform, S, V>>;
+            table.motor_decompose[per_element_index][S][P] = loop<motor_decompose_op<P, per_element, S, V>>;
         }
     }
 
@@ -113,6 +118,20 @@ struct fill {
         table.to_euler[P] = loop<to_euler_op<P, V>>;
         table.from_matrix[P] = loop<from_matrix_op<P, V>>;
         table.to_matrix[P] = loop<to_matrix_op<P, V>>;
+        table.motor_multiply[P] = loop<motor_multiply_op<P, V>>;
+        table.motor_conjugate = loop<motor_conjugate_op<V>>;
+        table.motor_normalize[P] = loop<motor_normalize_op<P, V>>;
+        table.from_rotation_translation[P] = loop<from_rotation_translation_op<P, V>>;
+        table.to_rotation_translation[P] = loop<to_rotation_translation_op<P, V>>;
+        table.motor_transform[P] = loop<motor_transform_op<P, V>>;
+        table.motor_square_root[P] = loop<motor_square_root_op<P, V>>;
+        table.motor_log[P] = loop<motor_log_op<P, V>>;
+        table.motor_exp[P] = loop<motor_exp_op<P, V>>;
+        table.motor_power[P] = loop<motor_power_op<P, V>>;
+        table.sclerp[false][P] = loop<sclerp_op<P, false, V>>;
+        table.sclerp[true][P] = loop<sclerp_op<P, true, V>>;
+        table.motor_blend[P] = loop<motor_blend_op<P, V>>;
+        table.motor_compose[P] = loop<motor_compose_op<P, V>>;
     }
 };
 

@@ -1,6 +1,8 @@
 #ifndef SWIVEL_REFERENCE_HPP
 #define SWIVEL_REFERENCE_HPP
 
+#include <span>
+
 #include "swivel/types.hpp"
 
 // reference: the same calls, one element after the other, in plain scalar code written from the formulas
@@ -167,6 +169,61 @@ status to_euler(const quat_view<const float>& q, euler_order order, const vec3_v
                 options = {}) noexcept;
 status to_euler(const quat_view<const double>& q, euler_order order, const vec3_view<double>& radians,
                 options = {}) noexcept;
+
+// Motors.
+status multiply(const motor_view<const float>& a, const motor_view<const float>& b,
+                const motor_view<float>& out, options = {}) noexcept;
+status multiply(const motor_view<const double>& a, const motor_view<const double>& b,
+                const motor_view<double>& out, options = {}) noexcept;
+status conjugate(const motor_view<const float>& m, const motor_view<float>& out, options = {}) noexcept;
+status conjugate(const motor_view<const double>& m, const motor_view<double>& out, options = {}) noexcept;
+status normalize(const motor_view<const float>& m, const motor_view<float>& out, options = {}) noexcept;
+status normalize(const motor_view<const double>& m, const motor_view<double>& out, options = {}) noexcept;
+status from_rotation_translation(const quat_view<const float>& q, const vec3_view<const float>& t,
+                                 const motor_view<float>& out, options = {}) noexcept;
+status from_rotation_translation(const quat_view<const double>& q, const vec3_view<const double>& t,
+                                 const motor_view<double>& out, options = {}) noexcept;
+status to_rotation_translation(const motor_view<const float>& m, const quat_view<float>& q,
+                               const vec3_view<float>& t, options = {}) noexcept;
+status to_rotation_translation(const motor_view<const double>& m, const quat_view<double>& q,
+                               const vec3_view<double>& t, options = {}) noexcept;
+status transform(const motor_view<const float>& m, const vec3_view<const float>& points,
+                 const vec3_view<float>& out, options = {}) noexcept;
+status transform(const motor_view<const double>& m, const vec3_view<const double>& points,
+                 const vec3_view<double>& out, options = {}) noexcept;
+status square_root(const motor_view<const float>& m, const motor_view<float>& out, options = {}) noexcept;
+status square_root(const motor_view<const double>& m, const motor_view<double>& out, options = {}) noexcept;
+status log(const motor_view<const float>& m, const vec3_view<float>& b, const vec3_view<float>& n,
+           options = {}) noexcept;
+status log(const motor_view<const double>& m, const vec3_view<double>& b, const vec3_view<double>& n,
+           options = {}) noexcept;
+status exp(const vec3_view<const float>& b, const vec3_view<const float>& n, const motor_view<float>& out,
+           options = {}) noexcept;
+status exp(const vec3_view<const double>& b, const vec3_view<const double>& n, const motor_view<double>& out,
+           options = {}) noexcept;
+status power(const motor_view<const float>& m, const parameter<float>& t, const motor_view<float>& out,
+             options = {}) noexcept;
+status power(const motor_view<const double>& m, const parameter<double>& t, const motor_view<double>& out,
+             options = {}) noexcept;
+status sclerp(const motor_view<const float>& a, const motor_view<const float>& b, const parameter<float>& t,
+              const motor_view<float>& out, options = {}) noexcept;
+status sclerp(const motor_view<const double>& a, const motor_view<const double>& b,
+              const parameter<double>& t, const motor_view<double>& out, options = {}) noexcept;
+status blend(std::span<const motor_view<const float>> motors, std::span<const parameter<float>> weights,
+             const motor_view<float>& out, options = {}) noexcept;
+status blend(std::span<const motor_view<const double>> motors, std::span<const parameter<double>> weights,
+             const motor_view<double>& out, options = {}) noexcept;
+status decompose(const motor_view<const float>& m, const twist_axis<float>& a, const quat_view<float>& swing,
+                 const quat_view<float>& twist, const vec3_view<float>& translation, options = {}) noexcept;
+status decompose(const motor_view<const double>& m, const twist_axis<double>& a,
+                 const quat_view<double>& swing, const quat_view<double>& twist,
+                 const vec3_view<double>& translation, options = {}) noexcept;
+status compose(const quat_view<const float>& swing, const quat_view<const float>& twist,
+               const vec3_view<const float>& translation, const motor_view<float>& out,
+               options = {}) noexcept;
+status compose(const quat_view<const double>& swing, const quat_view<const double>& twist,
+               const vec3_view<const double>& translation, const motor_view<double>& out,
+               options = {}) noexcept;
 
 }  // namespace swivel::reference
 

@@ -16,6 +16,7 @@
 #include "swivel/isa.hpp"
 #include "swivel/log.hpp"
 #include "swivel/matrix.hpp"
+#include "swivel/motor.hpp"
 #include "swivel/multiply.hpp"
 #include "swivel/nlerp.hpp"
 #include "swivel/normalize.hpp"

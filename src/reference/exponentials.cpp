@@ -1,4 +1,5 @@
 #include "elements.hpp"
+#include "polar_form.hpp"
 #include "scalar.hpp"
 #include "swivel/reference.hpp"
 
@@ -7,33 +8,6 @@
 namespace swivel::reference {
 
 namespace {
-
-// A quaternion as m d + w with a unit vector d, x where there is no vector part.
-template <class T>
-struct polar_form {
-    T m, w;
-    vec3<T> v;  // the vector part on a scale of its own
-    T length;   // of that
-    bool scalar_only;
-
-    vec3<T> along(T a) const {
-        const T factor = a / length;
-        return {scalar_only ? a : v.x * factor, v.y * factor, v.z * factor};
-    }
-};
-
-// Of q times by, which is a power of two.
-template <class T>
-polar_form<T> polar(const quat<T>& q, T by) {
-    const vec3<T> part{q.x, q.y, q.z};
-    const T scale = scale_for(part);
-    const vec3<T> v = scaled(part, scale);
-    const T squared = dot(v, v);
-    const bool scalar_only = squared == 0;
-    const T length = scalar_only ? T(1) : std::sqrt(squared);
-    return {scalar_only ? T(0) : length * (by / scale), by * q.w + T(0) * std::fabs(q.w), v, length,
-            scalar_only};
-}
 
 template <class T>
 quat<T> joined(const vec3<T>& v, T w) {

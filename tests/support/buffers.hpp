@@ -144,6 +144,13 @@ struct matrix_buffer : stream_buffer<T, 9> {
     }
 };
 
+// One motor.
+template <class T>
+struct dual_quaternion {
+    quat<T> r, d;
+    friend bool operator==(const dual_quaternion&, const dual_quaternion&) = default;
+};
+
 // x y z w dx dy dz dw.
 template <class T>
 struct motor_buffer : stream_buffer<T, 8> {
@@ -152,6 +159,14 @@ struct motor_buffer : stream_buffer<T, 8> {
     motor_view<T> view() {
         return {this->first(0), this->first(1), this->first(2), this->first(3), this->first(4),
                 this->first(5), this->first(6), this->first(7), this->size(),   this->stride()};
+    }
+    dual_quaternion<T> get(std::size_t i) {
+        return {{this->at(0, i), this->at(1, i), this->at(2, i), this->at(3, i)},
+                {this->at(4, i), this->at(5, i), this->at(6, i), this->at(7, i)}};
+    }
+    void set(std::size_t i, const dual_quaternion<T>& m) {
+        const T values[] = {m.r.x, m.r.y, m.r.z, m.r.w, m.d.x, m.d.y, m.d.z, m.d.w};
+        for (int c = 0; c < 8; ++c) this->at(c, i) = values[c];
     }
 };
 

@@ -15,14 +15,18 @@ workspace<T>::workspace(std::size_t n, layout l)
       angles_in(n, l),
       parameters_in(n, l),
       other_parameters_in(n, l),
+      motors_in(n, l),
+      other_motors_in(n, l),
       out(n, l),
       swing(n, l),
       twist(n, l),
       vectors_out(n, l),
+      other_vectors_out(n, l),
       factors_out(n),
       matrices_out(n, l),
       scalars(n, l),
-      other_scalars(n, l) {}
+      other_scalars(n, l),
+      motors_out(n, l) {}
 
 template <class T>
 void workspace<T>::fill(generator& g) {
@@ -58,6 +62,8 @@ void workspace<T>::fill(generator& g) {
         angles_in[i] = corner ? any_of(angles) : static_cast<T>(uniform(g, -20, 20));
         parameters_in[i] = corner ? any_of(parameters) : static_cast<T>(uniform(g, -0.5, 1.5));
         other_parameters_in[i] = corner ? any_of(parameters) : static_cast<T>(uniform(g, -0.5, 1.5));
+        for (motor_buffer<T>* b : {&motors_in, &other_motors_in})
+            b->set(i, corner ? corner_motor<T>(g, q.get(i)) : random_motor<T>(g, uniform(g, 0, 10)));
         const quat<T> r = random_rotation<T>(g);
         const T two(2);
         const T m[9] = {1 - two * (r.y * r.y + r.z * r.z), two * (r.x * r.y - r.w * r.z),

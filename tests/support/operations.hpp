@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/buffers.hpp"
+#include "support/motors.hpp"
 #include "support/rotations.hpp"
 #include "swivel/swivel.hpp"
 
@@ -22,12 +23,14 @@ struct workspace {
     factor_buffer<T> factors_in;
     matrix_buffer<T> matrices_in;
     scalar_buffer<T> signs_in, angles_in, parameters_in, other_parameters_in;
+    motor_buffer<T> motors_in, other_motors_in;
 
     quat_buffer<T> out, swing, twist;
-    vec3_buffer<T> vectors_out;
+    vec3_buffer<T> vectors_out, other_vectors_out;
     factor_buffer<T> factors_out;
     matrix_buffer<T> matrices_out;
     scalar_buffer<T> scalars, other_scalars;
+    motor_buffer<T> motors_out;
 
     vec3<T> axis_for_all{T(0.36), T(-0.48), T(1.6)};
 
@@ -36,7 +39,7 @@ struct workspace {
     std::size_t size() const { return q.size(); }
 
     // Every third element a corner, the others random: rotations, factors that belong to them, directions of any
-    // length, angles of a few turns, parameters in and a little out of [0, 1].
+    // length, angles of a few turns, parameters in and a little out of [0, 1], motors with translations of any length.
     void fill(generator& g);
 };
 
@@ -85,6 +88,8 @@ template <class T>
 void add_conversions(std::vector<operation<T>>& all);
 template <class T>
 void add_interpolation(std::vector<operation<T>>& all);
+template <class T>
+void add_motors(std::vector<operation<T>>& all);
 
 template <class T>
 std::vector<operation<T>> all_operations() {
@@ -96,6 +101,7 @@ std::vector<operation<T>> all_operations() {
     add_exponentials(all);
     add_arcs(all);
     add_conversions(all);
+    add_motors(all);
     return all;
 }
 
