@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <bit>
-
 #include "support/buffers.hpp"
 #include "support/exact.hpp"
+#include "support/multivector.hpp"
 #include "support/rotations.hpp"
 #include "support/usable_isas.hpp"
 
@@ -15,22 +13,6 @@ namespace {
 
 class Spinor : public per_isa {};
 INSTANTIATE_TEST_SUITE_P(Isa, Spinor, testing::ValuesIn(usable_isas()), isa_name);
-
-// A multivector of Cl(3, 0): bit k of an index says whether the basis vector e(k + 1) is in the blade, the
-// vectors in ascending order.
-using multivector = std::array<double, 8>;
-
-multivector product(const multivector& l, const multivector& r) {
-    multivector p{};
-    for (unsigned i = 0; i < 8; ++i)
-        for (unsigned j = 0; j < 8; ++j) {
-            // Exchanges that bring the vectors of both blades in order; equal ones then make 1.
-            int exchanges = 0;
-            for (unsigned above = i >> 1U; above != 0; above >>= 1U) exchanges += std::popcount(above & j);
-            p[i ^ j] += (exchanges % 2 == 0 ? 1 : -1) * l[i] * r[j];
-        }
-    return p;
-}
 
 struct spinor {
     double a, b, c, d;

@@ -34,5 +34,6 @@
 #include "swivel/twist_angle.hpp"
 #include "swivel/types.hpp"
 #include "swivel/version.hpp"
+#include "swivel/versors.hpp"
 
 #endif

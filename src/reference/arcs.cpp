@@ -26,12 +26,7 @@ quat<T> arc_between(const vec3<T>& a, const vec3<T>& b) {
 
     const T scale = 1 / aa;
     vec3<T> g = without_part(without_part(c, a, scale), a, scale);
-    if (!(dot(g, g) > floored(T(0.75) * dot(c, c)))) {
-        if (std::fabs(a.x) > std::fabs(a.z))
-            g = {-a.y, a.x, 0};
-        else
-            g = {0, -a.z, a.y};
-    }
+    if (!(dot(g, g) > floored(T(0.75) * dot(c, c)))) g = perpendicular(a);
     const quat<T> q{(h * g.x - c.y * g.z) + c.z * g.y, (h * g.y - c.z * g.x) + c.x * g.z,
                     (h * g.z - c.x * g.y) + c.y * g.x, dot(c, g)};
     return std::signbit(q.w) ? quat<T>{-q.x, -q.y, -q.z, -q.w} : q;

@@ -171,6 +171,13 @@ vec3<T> scaled(const vec3<T>& v, T by) {
     return {by * v.x, by * v.y, by * v.z};
 }
 
+// One of the vectors perpendicular to v, of length |v| or somewhat less.
+template <class T>
+vec3<T> perpendicular(const vec3<T>& v) {
+    if (std::fabs(v.x) > std::fabs(v.z)) return {-v.y, v.x, 0};
+    return {0, -v.z, v.y};
+}
+
 // The axis of one element to unit length, by way of a power of two that keeps the squares in range. What
 // rounding left over is not known here.
 template <class T>
