@@ -76,8 +76,8 @@ void multiply_is_one_after_the_other() {
             ASSERT_LE(e.real, 8) << i;
             ASSERT_LE(e.dual, 10) << i;
         }
-        EXPECT_LE(worst.real, 4);
-        EXPECT_LE(worst.dual, 4);
+        EXPECT_LE(worst.real, 3);
+        EXPECT_LE(worst.dual, 2.5);
     }
 }
 
@@ -130,8 +130,8 @@ void normalize_projects(int exponents) {
                  double(length_of(minus(widen<long double>(w.out.get(i).d), want_d)) / size) /
                      rounding_unit<T>});
         }
-        EXPECT_LE(worst.real, p == precision::fast ? 5 : 4);
-        EXPECT_LE(worst.dual, p == precision::fast ? 7 : 5);
+        EXPECT_LE(worst.real, p == precision::fast ? 4.5 : 3);
+        EXPECT_LE(worst.dual, p == precision::fast ? 8 : 6);
     }
 }
 
@@ -169,7 +169,7 @@ void rotation_and_translation() {
                                    std::max(1.0L, length_of(t))) /
                                 rounding_unit<T>);
         }
-        EXPECT_LE(from, 3);
+        EXPECT_LE(from, 1.5);
         ASSERT_EQ(to_rotation_translation(w.out.view(), w.s.view(), w.points_out.view(), {.accuracy = p}),
                   status::ok);
         for (std::size_t i = 0; i < n; ++i) {
@@ -256,7 +256,7 @@ void blend_is_the_normalised_sum() {
                              double(length_of(minus(got_d, sum(1 / length, d, -along / length, r))) / size) *
                                  scale * std::min(1.0, double(length / magnitudes)));
         }
-        EXPECT_LE(worst, 7);
+        EXPECT_LE(worst, 5);
     }
 }
 
@@ -307,7 +307,7 @@ void swing_and_twist() {
                 const motion m = motion_of(w.a.get(i));
                 translation = std::max(translation, apart(w.points_out.get(i), m.t, size_of(m)));
             }
-            EXPECT_LE(translation, 8);
+            EXPECT_LE(translation, 6);
             // The rotation's factors, in bits.
             const motor_view<const T> m = w.a.view();
             quat_buffer<T> swing(n, layout::soa), twist(n, layout::soa);
@@ -325,7 +325,7 @@ void swing_and_twist() {
                 worst.add(distance(w.out.get(i), in, size_of(in)));
             }
             EXPECT_LE(worst.real, 9);
-            EXPECT_LE(worst.dual, 9);
+            EXPECT_LE(worst.dual, 7);
         }
 }
 
