@@ -3,34 +3,13 @@
 import math
 import random
 
-from support import (HEADER, CommandTest, conjugate, main, multiply, rotation_of, rows, swing_twist, usable_isas)
+from support import (HEADER, EvalTest, conjugate, main, multiply, random_rotations, rotation_of, rows, swing_twist,
+                     table, usable_isas)
 
 AXES = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "3,-4,12": (3, -4, 12), "-1e-200,2e-200,0": (-1, 2, 0)}
 
 
-def random_rotations(count, seed=1):
-    generator = random.Random(seed)
-    found = []
-    while len(found) < count:
-        q = [generator.gauss(0, 1) for _ in range(4)]
-        length = math.sqrt(sum(c * c for c in q))
-        found.append(tuple(c / length for c in q))
-    return found
-
-
-def table(header, values):
-    return header + "".join(" ".join(repr(x) for x in row) + "\n" for row in values)
-
-
-class Operations(CommandTest):
-    def assertNear(self, a, b, tolerance=1e-13):
-        self.assertEqual(len(a), len(b))
-        for x, y in zip(a, b):
-            self.assertLessEqual(abs(x - y), tolerance, (a, b))
-
-    def evaluate(self, operation, stdin, *options):
-        return rows(self.succeeds("eval", operation, *options, stdin=stdin).stdout)
-
+class Operations(EvalTest):
     def test_a_half_turn_about_z_is_a_twist_on_every_isa_in_both_precisions(self):
         for isa in usable_isas():
             for precision in ("fast", "reproducible"):

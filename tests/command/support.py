@@ -2,6 +2,7 @@
 
 import math
 import os
+import random
 import subprocess
 import sys
 import tempfile
@@ -94,6 +95,32 @@ class CommandTest(unittest.TestCase):
         self.assertEqual(result.returncode, code, error)
         self.assertTrue(error.startswith(message), error + "\ndoes not begin with\n" + message)
         return result
+
+
+class EvalTest(CommandTest):
+    """The operations of `eval`, one table in and one out."""
+
+    def assertNear(self, a, b, tolerance=1e-13):
+        self.assertEqual(len(a), len(b))
+        for x, y in zip(a, b):
+            self.assertLessEqual(abs(x - y), tolerance, (a, b))
+
+    def evaluate(self, operation, stdin, *options):
+        return rows(self.succeeds("eval", operation, *options, stdin=stdin).stdout)
+
+
+def random_rotations(count, seed=1):
+    generator = random.Random(seed)
+    found = []
+    while len(found) < count:
+        q = [generator.gauss(0, 1) for _ in range(4)]
+        length = math.sqrt(sum(c * c for c in q))
+        found.append(tuple(c / length for c in q))
+    return found
+
+
+def table(header, values):
+    return header + "".join(" ".join(repr(x) for x in row) + "\n" for row in values)
 
 
 def multiply(a, b):

@@ -13,6 +13,8 @@ std::vector<std::string> column_names(const column_group& group) {
             return {"s1", "s2", "sc", "ts", "tc"};
         case group_kind::matrix:
             return {p + "xx", p + "xy", p + "xz", p + "yx", p + "yy", p + "yz", p + "zx", p + "zy", p + "zz"};
+        case group_kind::motor:
+            return {p + "x", p + "y", p + "z", p + "w", p + "dx", p + "dy", p + "dz", p + "dw"};
         case group_kind::scalar:
             break;
     }
@@ -68,6 +70,13 @@ swivel::matrix_view<T> eval_block<T>::matrix(std::size_t group) const noexcept {
     const strided* const c = group_columns(group);
     return {c[0].first, c[1].first, c[2].first, c[3].first, c[4].first, c[5].first,
             c[6].first, c[7].first, c[8].first, rows_,      c[0].stride};
+}
+
+template <class T>
+swivel::motor_view<T> eval_block<T>::motor(std::size_t group) const noexcept {
+    const strided* const c = group_columns(group);
+    return {c[0].first, c[1].first, c[2].first, c[3].first, c[4].first,
+            c[5].first, c[6].first, c[7].first, rows_,      c[0].stride};
 }
 
 template <class T>

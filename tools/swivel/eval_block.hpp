@@ -16,6 +16,7 @@ enum class group_kind {
     vector,      // prefix + x, y, z
     factors,     // s1 s2 sc ts tc
     matrix,      // prefix + xx, xy, xz, yx ... zz: row x first
+    motor,       // prefix + x, y, z, w, dx, dy, dz, dw
     scalar       // one column, of the name itself
 };
 
@@ -54,6 +55,7 @@ public:
     [[nodiscard]] swivel::vec3_view<T> vector(std::size_t group) const noexcept;
     [[nodiscard]] swivel::factor_view<T> factors(std::size_t group) const noexcept;
     [[nodiscard]] swivel::matrix_view<T> matrix(std::size_t group) const noexcept;
+    [[nodiscard]] swivel::motor_view<T> motor(std::size_t group) const noexcept;
     [[nodiscard]] swivel::scalar_view<T> scalar(std::size_t group) const noexcept;
 
 private:

@@ -2,6 +2,11 @@
 
 namespace swivel::command {
 
+void add_exponent(CLI::App& app, eval_settings& settings) {
+    add_parameter(app, "--t", settings.t,
+                  "The exponent; column: one of its own for every row (default: 0.5)");
+}
+
 namespace {
 
 eval_columns power_columns(const eval_settings& settings) {
@@ -86,10 +91,7 @@ constinit const eval_operation eval_power = {
     "Examples:\n"
     "  printf 'qx qy qz qw\\n0 0 1 1\\n' | swivel eval power --t 0.5\n"
     "  swivel eval power --t column rotations.csv",
-    [](CLI::App& app, eval_settings& settings) {
-        add_parameter(app, "--t", settings.t,
-                      "The exponent; column: one of its own for every row (default: 0.5)");
-    },
+    add_exponent,
     power_columns,
     run_power<float>,
     run_power<double>};

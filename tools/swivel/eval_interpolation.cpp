@@ -5,6 +5,14 @@
 
 namespace swivel::command {
 
+void add_t_and_way(CLI::App& app, eval_settings& settings) {
+    add_parameter(
+        app, "--t", settings.t,
+        "How far from a to b, 0 to 1 and beyond; column: one for every row, in the column t (default: 0.5)");
+    add_choice(app, "--way", settings.options.long_way, {{"short", false}, {"long", true}},
+               "By way of the nearer or the further of b and -b");
+}
+
 namespace {
 
 // The groups of columns in the order in which they are asked for.
@@ -28,12 +36,8 @@ struct interpolation_groups {
     }
 };
 
-void add_way(CLI::App& app, eval_settings& settings) {
-    add_parameter(
-        app, "--t", settings.t,
-        "How far from a to b, 0 to 1 and beyond; column: one for every row, in the column t (default: 0.5)");
-    add_choice(app, "--way", settings.options.long_way, {{"short", false}, {"long", true}},
-               "By way of the nearer or the further of b and -b");
+void add_rotation_options(CLI::App& app, eval_settings& settings) {
+    add_t_and_way(app, settings);
     add_axis(app, settings.axis, axis_words::columns)
         ->description(
             "Axis, a vector of any length but 0; columns: one for every row, in nx ny nz (default: z)");
@@ -47,7 +51,7 @@ void add_way(CLI::App& app, eval_settings& settings) {
 }
 
 void add_sterp_options(CLI::App& app, eval_settings& settings) {
-    add_way(app, settings);
+    add_rotation_options(app, settings);
     settings.reads_axis = true;
     app.add_option_function<std::string>(
            "--t-twist",
@@ -191,7 +195,7 @@ constinit const eval_operation eval_slerp = {
     "Examples:\n"
     "  printf 'ax ay az aw bx by bz bw\\n0 0 0 1 0 0 1 1\\n' | swivel eval slerp --t 0.25\n"
     "  swivel eval slerp --t column --way long pairs.csv",
-    add_way,
+    add_rotation_options,
     columns,
     run_slerp<float>,
     run_slerp<double>};
@@ -202,7 +206,7 @@ constinit const eval_operation eval_nlerp = {
     "Reads ax ay az aw bx by bz bw, and t with --t column. Writes qx qy qz qw.\n\n"
     "Examples:\n"
     "  printf 'ax ay az aw bx by bz bw\\n0 0 0 1 0 0 1 1\\n' | swivel eval nlerp --t 0.25",
-    add_way,
+    add_rotation_options,
     columns,
     run_nlerp<float>,
     run_nlerp<double>};

@@ -26,6 +26,7 @@ struct eval_settings {
     parameter_argument t = number{0.5F, 0.5}, angle = number{};
     std::optional<parameter_argument> twist_t;
     bool tip = false;
+    std::size_t motors = 2;
     bool reads_axis = false;
     swivel::euler_order euler = swivel::euler_order::xyz;
     swivel::options options;
@@ -62,6 +63,11 @@ extern const eval_operation eval_align_signs, eval_conjugate, eval_dot, eval_mul
     eval_rotate;
 extern const eval_operation eval_exp, eval_log, eval_power, eval_square_root;
 extern const eval_operation eval_arc_with_twist, eval_shortest_arc;
+extern const eval_operation eval_motor_compose, eval_motor_decompose, eval_motor_multiply,
+    eval_motor_conjugate, eval_motor_normalize, eval_motor_square_root, eval_motor_log, eval_motor_exp,
+    eval_motor_power;
+extern const eval_operation eval_from_rotation_translation, eval_to_rotation_translation, eval_transform,
+    eval_sclerp, eval_blend;
 extern const eval_operation eval_compose, eval_decompose, eval_swing, eval_twist, eval_twist_angle;
 
 [[nodiscard]] std::span<const eval_operation* const> eval_operations() noexcept;
@@ -74,6 +80,10 @@ template <class T>
 
 // For operations that have no options of their own.
 inline void add_no_options(CLI::App&, eval_settings&) {}
+
+// --t of a power, and --t and --way of what goes from a to b.
+void add_exponent(CLI::App& app, eval_settings& settings);
+void add_t_and_way(CLI::App& app, eval_settings& settings);
 
 // The parameter, or where it is a column the scalars of the group.
 template <class T>

@@ -35,6 +35,20 @@ std::span<const eval_operation* const> eval_operations() noexcept {
         &eval_to_matrix,
         &eval_from_euler,
         &eval_to_euler,
+        &eval_from_rotation_translation,
+        &eval_to_rotation_translation,
+        &eval_transform,
+        &eval_motor_multiply,
+        &eval_motor_conjugate,
+        &eval_motor_normalize,
+        &eval_motor_square_root,
+        &eval_motor_log,
+        &eval_motor_exp,
+        &eval_motor_power,
+        &eval_sclerp,
+        &eval_blend,
+        &eval_motor_decompose,
+        &eval_motor_compose,
     };
     return operations;
 }
