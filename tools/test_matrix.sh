@@ -43,7 +43,8 @@ processor() { # CPU ISA [TESTS-LEFT-OUT]
 newer_xsimd() { # SUITE
     tools/newer_xsimd.sh "$1" $build/xsimd_"$1" &&
         cmake -S . -B $build/with_xsimd_"$1" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSWIVEL_WERROR=ON \
-            -DSWIVEL_BUILD_TOOLS=OFF -DSWIVEL_XSIMD_INCLUDE_DIR="$PWD/$build/xsimd_$1/usr/include" &&
+            -DSWIVEL_BUILD_TOOLS=OFF -DSWIVEL_ISAS="avx2;avx512" \
+            -DSWIVEL_XSIMD_INCLUDE_DIR="$PWD/$build/xsimd_$1/usr/include" &&
         cmake --build $build/with_xsimd_"$1" --parallel --target swivel_tests &&
         $build/with_xsimd_"$1"/tests/swivel_tests --gtest_brief=1 --gtest_filter='*EveryOperation*:*Golden*' &&
         grep -hE '#define XSIMD_VERSION_M' $build/xsimd_"$1"/usr/include/xsimd/config/xsimd_config.hpp
@@ -64,7 +65,8 @@ check "every float" build/test/tests/swivel_exhaustive_tests
 check "clang" compile_and_test clang -DCMAKE_CXX_COMPILER=clang++
 check "clang-tidy" tidy
 check "debug with sanitizers" compile_and_test sanitizers -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
-    -DCMAKE_CXX_FLAGS_DEBUG="-g -O1" -DCMAKE_CXX_FLAGS="$sanitize" -DSWIVEL_BUILD_FUZZ=ON
+    -DCMAKE_CXX_FLAGS_DEBUG="-g -O1" -DCMAKE_CXX_FLAGS="$sanitize" -DSWIVEL_BUILD_FUZZ=ON \
+    -DSWIVEL_ISAS="avx2;avx512"
 check "fuzz BVH files for 60 s" fuzz
 check "x86-64 Conroe" processor Conroe sse2
 check "x86-64 Nehalem" processor Nehalem sse4 "*/sse2"
