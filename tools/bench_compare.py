@@ -97,7 +97,8 @@ def targets(best):
                                 [row("decompose", isa, MANY)], at_least=least))
     for op, peer, name, least in (("slerp", "eigen", "Eigen", 18), ("slerp", "glm", "GLM", 18),
                                   ("sterp", "eigen", "Eigen and std::", 22), ("power", "eigen", "Eigen and std::", 20),
-                                  ("exp", "eigen", "Eigen and std::", 15), ("log", "eigen", "Eigen and std::", 15)):
+                                  ("exp", "eigen", "Eigen and std::", 15), ("log", "eigen", "Eigen and std::", 15),
+                                  ("sclerp", "eigen", "Eigen and std::", 25)):
         for isa, share in (("avx512", 1), ("avx2", 2)):
             table.append(Target(f"{op}: {name} / {isa}", [row(op, peer, MANY, "aos")], [row(op, isa, MANY)],
                                 at_least=least / share))

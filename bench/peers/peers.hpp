@@ -60,6 +60,16 @@ template <class T>
 void to_euler(const T* q, T* radians, std::size_t n) noexcept;
 template <class T>
 void from_axis_angle(swivel::vec3<T> a, const T* radians, T* q, std::size_t n) noexcept;
+// Dual quaternions of its quaternions, x y z w dx dy dz dw one after the other: ScLERP by the parameters of the screw,
+// after Kavan; the blend of four, with weights in four streams.
+template <class T>
+void sclerp(const T* a, const T* b, const T* t, T* out, std::size_t n) noexcept;
+template <class T>
+void transform(const T* m, const T* p, T* out, std::size_t n) noexcept;
+template <class T>
+void motor_multiply(const T* a, const T* b, T* out, std::size_t n) noexcept;
+template <class T>
+void blend_4(const T* const (&motors)[4], const T* const (&weights)[4], T* out, std::size_t n) noexcept;
 }  // namespace eigen
 
 namespace glm_peer {

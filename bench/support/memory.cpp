@@ -47,7 +47,7 @@ const std::vector<sample>& samples() {
 void memory::restart() noexcept { used_ = read_ = written_ = 0; }
 
 void* memory::take(std::size_t bytes, role r) {
-    if (size_ == 0) reserve(std::size_t{1} << 30);
+    if (size_ == 0) reserve(std::size_t{3} << 29);
     const std::size_t at = r == role::read ? read_++ * cache_line : page / 2 + written_++ * cache_line;
     const std::size_t begin = (used_ + page - 1) / page * page + at;
     used_ = begin + bytes;
@@ -176,6 +176,41 @@ swivel::matrix_view<const T> workload<T>::matrices() {
 template <class T>
 swivel::matrix_view<T> workload<T>::written_matrices() {
     return take_matrices(memory::role::written);
+}
+
+template <class T>
+swivel::motor_view<T> workload<T>::take_motors(memory::role r) {
+    if (layout_ == layout::aos) return swivel::aos_motors(take(8 * n_, r), n_);
+    T* stream[8];
+    for (T*& s : stream) s = take(n_, r);
+    return {stream[0], stream[1], stream[2], stream[3], stream[4], stream[5], stream[6], stream[7], n_};
+}
+
+template <class T>
+swivel::motor_view<const T> workload<T>::motors(std::size_t number) {
+    const swivel::motor_view<T> m = take_motors(memory::role::read);
+    for (std::size_t i = 0; i < n_; ++i) {
+        const std::size_t first = i + number * (distinct / 5);
+        const auto [x, y, z, w] = samples()[first % distinct];
+        const sample& s = samples()[(first + distinct / 2) % distinct];
+        const double half = 0.5 / std::sqrt(s.x * s.x + s.y * s.y + s.z * s.z);
+        const double tx = half * s.x, ty = half * s.y, tz = half * s.z;
+        const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i) * m.stride;
+        m.x[at] = static_cast<T>(x);
+        m.y[at] = static_cast<T>(y);
+        m.z[at] = static_cast<T>(z);
+        m.w[at] = static_cast<T>(w);
+        m.dx[at] = static_cast<T>(w * tx + ty * z - tz * y);
+        m.dy[at] = static_cast<T>(w * ty + tz * x - tx * z);
+        m.dz[at] = static_cast<T>(w * tz + tx * y - ty * x);
+        m.dw[at] = static_cast<T>(-(tx * x + ty * y + tz * z));
+    }
+    return m;
+}
+
+template <class T>
+swivel::motor_view<T> workload<T>::written_motors() {
+    return take_motors(memory::role::written);
 }
 
 template <class T>

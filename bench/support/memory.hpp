@@ -57,6 +57,10 @@ public:
     swivel::scalar_view<const T> parameters();
     swivel::factor_view<T> written_factors();
 
+    // Those of one number are turned by other rotations and moved by other unit vectors than those of another.
+    swivel::motor_view<const T> motors(std::size_t number = 0);
+    swivel::motor_view<T> written_motors();
+
     // Plain streams of so many numbers for each element.
     const T* copied(std::size_t per_element);
     T* written(std::size_t per_element);
@@ -67,6 +71,7 @@ private:
     swivel::quat_view<const T> rotations_from(std::size_t first);
     swivel::vec3_view<const T> axes_from(std::size_t first);
     swivel::matrix_view<T> take_matrices(memory::role r);
+    swivel::motor_view<T> take_motors(memory::role r);
     T* take(std::size_t count, memory::role r);
 
     std::size_t n_;
