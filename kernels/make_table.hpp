@@ -8,6 +8,9 @@
 #include "atan2.hpp"
 #include "axis_angle.hpp"
 #include "compose.hpp"
+#include "conformal.hpp"
+#include "conformal_exp.hpp"
+#include "conformal_planes.hpp"
 #include "conjugate.hpp"
 #include "decompose.hpp"
 #include "dot.hpp"
@@ -113,6 +116,19 @@ struct fill {
         table.to_euler[P] = loop<to_euler_op<P, V>>;
         table.from_matrix[P] = loop<from_matrix_op<P, V>>;
         table.to_matrix[P] = loop<to_matrix_op<P, V>>;
+        table.conformal_multiply[P] = loop<conformal_multiply_op<P, V>>;
+        table.conformal_reverse = loop<conformal_reverse_op<V>>;
+        table.conformal_from_motor = loop<conformal_from_motor_op<V>>;
+        table.conformal_from_rotation = loop<conformal_from_rotation_op<V>>;
+        table.conformal_from_translation = loop<conformal_from_translation_op<V>>;
+        table.conformal_from_dilation = loop<conformal_from_dilation_op<V>>;
+        table.conformal_transform[P] = loop<conformal_transform_op<P, V>>;
+        table.conformal_square_root[P] = loop<conformal_square_root_op<P, V>>;
+        table.conformal_exp[P] = loop<conformal_exp_op<P, V>>;
+        table.conformal_log[P] = loop<conformal_log_op<P, V>>;
+        table.conformal_power[P] = loop<conformal_power_op<P, V>>;
+        table.conformal_interpolate[P] = loop<conformal_interpolate_op<P, V>>;
+        table.conformal_split[P] = loop<conformal_split_op<P, V>>;
     }
 };
 

@@ -1,5 +1,7 @@
 #include "support/operations.hpp"
 
+#include "support/conformal.hpp"
+
 namespace swivel::tests {
 
 template <class T>
@@ -11,6 +13,10 @@ workspace<T>::workspace(std::size_t n, layout l)
       vectors(n, l),
       factors_in(n),
       matrices_in(n, l),
+      motors_in(n, l),
+      rotors_in(n, l),
+      other_rotors_in(n, l),
+      bivectors_in(n, l),
       signs_in(n, l),
       angles_in(n, l),
       parameters_in(n, l),
@@ -21,6 +27,9 @@ workspace<T>::workspace(std::size_t n, layout l)
       vectors_out(n, l),
       factors_out(n),
       matrices_out(n, l),
+      rotors_out(n, l),
+      bivectors_out(n, l),
+      other_bivectors_out(n, l),
       scalars(n, l),
       other_scalars(n, l) {}
 
@@ -66,6 +75,26 @@ void workspace<T>::fill(generator& g) {
                         two * (r.x * r.z - r.w * r.y),     two * (r.y * r.z + r.w * r.x),
                         1 - two * (r.x * r.x + r.y * r.y)};
         for (int c = 0; c < 9; ++c) matrices_in.at(c, i) = m[c];
+    }
+    fill_conformal(g);
+}
+
+// From a generator of their own, so that the other numbers stay as they are.
+template <class T>
+void workspace<T>::fill_conformal(generator g) {
+    const std::vector<bivector<double>> corners = corner_bivectors();
+    for (std::size_t i = 0; i < size(); ++i) {
+        const bool corner = i % 3 == 2;
+        const bivector<double> b = corner ? corners[g() % corners.size()] : random_bivector(g);
+        for (int c = 0; c < 10; ++c) bivectors_in.at(c, i) = static_cast<T>(b[static_cast<std::size_t>(c)]);
+        const even<double> r = exact_exp(b), other = exact_exp(random_bivector(g));
+        for (int c = 0; c < 16; ++c) {
+            rotors_in.at(c, i) = static_cast<T>(r[static_cast<std::size_t>(c)]);
+            other_rotors_in.at(c, i) = static_cast<T>(other[static_cast<std::size_t>(c)]);
+        }
+        const quat<T> turn = random_rotation<T>(g), half = random_rotation<T>(g);
+        const T motor[8] = {turn.x, turn.y, turn.z, turn.w, half.x, half.y, half.z, half.w};
+        for (int c = 0; c < 8; ++c) motors_in.at(c, i) = motor[c];
     }
 }
 
