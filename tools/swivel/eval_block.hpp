@@ -16,6 +16,8 @@ enum class group_kind {
     vector,      // prefix + x, y, z
     factors,     // s1 s2 sc ts tc
     matrix,      // prefix + xx, xy, xz, yx ... zz: row x first
+    conformal,   // prefix + s, 12, 13, 14, 15, 23 ... 2345: 16 columns
+    bivector,    // prefix + 12, 13, 14, 15, 23 ... 45: 10 columns
     scalar       // one column, of the name itself
 };
 
@@ -54,6 +56,8 @@ public:
     [[nodiscard]] swivel::vec3_view<T> vector(std::size_t group) const noexcept;
     [[nodiscard]] swivel::factor_view<T> factors(std::size_t group) const noexcept;
     [[nodiscard]] swivel::matrix_view<T> matrix(std::size_t group) const noexcept;
+    [[nodiscard]] swivel::conformal_view<T> conformal(std::size_t group) const noexcept;
+    [[nodiscard]] swivel::bivector_view<T> bivector(std::size_t group) const noexcept;
     [[nodiscard]] swivel::scalar_view<T> scalar(std::size_t group) const noexcept;
 
 private:

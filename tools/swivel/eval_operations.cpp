@@ -35,6 +35,19 @@ std::span<const eval_operation* const> eval_operations() noexcept {
         &eval_to_matrix,
         &eval_from_euler,
         &eval_to_euler,
+        &eval_conformal_multiply,
+        &eval_conformal_reverse,
+        &eval_conformal_from_motor,
+        &eval_conformal_from_rotation,
+        &eval_conformal_from_translation,
+        &eval_conformal_from_dilation,
+        &eval_conformal_transform,
+        &eval_conformal_square_root,
+        &eval_conformal_exp,
+        &eval_conformal_log,
+        &eval_conformal_power,
+        &eval_conformal_interpolate,
+        &eval_conformal_split,
     };
     return operations;
 }
