@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     swivel_bench::add_exponentials_rows();
     swivel_bench::add_arcs_rows();
     swivel_bench::add_conversions_rows();
+    swivel_bench::add_conformal_rows();
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
 }

@@ -74,6 +74,7 @@ void add_algebra_rows();
 void add_exponentials_rows();
 void add_arcs_rows();
 void add_conversions_rows();
+void add_conformal_rows();
 
 }  // namespace swivel_bench
 
