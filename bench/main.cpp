@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
     swivel_bench::add_arcs_rows();
     swivel_bench::add_conversions_rows();
     swivel_bench::add_motors_rows();
+    swivel_bench::add_conformal_rows();
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
 }

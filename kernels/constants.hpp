@@ -43,6 +43,25 @@ struct constants<float> {
     static constexpr float two_over_pi = 0x1.45f306p-1f;
     // Added to a number up to 2^22, it leaves no room for a fraction.
     static constexpr float round = 0x1.8p23f;
+
+    // e^r - 1 = r + r^2 (c0 + c1 r + ...) for |r| <= ln 2 / 2, relative error 1.8e-9; log((1 + f) / (1 - f)) = 2 f +
+    // f^3 (c0 + c1 f^2 + ...) for |f| <= 0.172, relative error 3.0e-10.
+    static constexpr float expm1[] = {0x1p-1f,       0x1.555556p-3f, 0x1.5554e8p-5f,
+                                      0x1.1110ep-7f, 0x1.6d43bp-10f, 0x1.a1256cp-13f};
+    static constexpr float log[] = {0x1.555556p-1f, 0x1.9999ecp-2f, 0x1.245c28p-2f, 0x1.ddd4dap-3f};
+    // In two parts; the first has so few bits that its product with the exponent of a number is exact.
+    static constexpr float ln_2 = 0x1.62e4p-1f;
+    static constexpr float ln_2_rest = 0x1.7f7d1cp-20f;
+    static constexpr float one_over_ln_2 = 0x1.715476p0f;
+    static constexpr float sqrt_2 = 0x1.6a09e6p0f;
+
+    // Of conformal rotors and their logarithms: components that are larger, and boosts, are out of the domain, and of
+    // two terms whose difference is smaller than their sum times the noise nothing is left.
+    static constexpr float largest_blade = 0x1p20f;
+    static constexpr float largest_boost = 40;
+    static constexpr float noise = 0x1p-16f;
+    // So small that two terms of a series are enough.
+    static constexpr float small_square = 0x1p-10f;
 };
 
 template <>
@@ -78,6 +97,31 @@ struct constants<double> {
     static constexpr double largest_angle = 0x1p20;
     static constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
     static constexpr double round = 0x1.8p52;
+
+    // Relative errors 8.1e-19 and 5.3e-19.
+    static constexpr double expm1[] = {0x1p-1,
+                                       0x1.5555555555557p-3,
+                                       0x1.5555555555556p-5,
+                                       0x1.11111111100bep-7,
+                                       0x1.6c16c16c162c3p-10,
+                                       0x1.a01a01abf85abp-13,
+                                       0x1.a01a01a6e1e2ap-16,
+                                       0x1.71de01fdbf9cap-19,
+                                       0x1.27e4db46cddd1p-22,
+                                       0x1.af4e554377204p-26,
+                                       0x1.1f7340dbc337ep-29};
+    static constexpr double log[] = {0x1.5555555555555p-1, 0x1.9999999999a39p-2, 0x1.2492492476a1ap-2,
+                                     0x1.c71c7201a55d7p-3, 0x1.745cf8e4bba1bp-3, 0x1.3b1c3c1c81c90p-3,
+                                     0x1.0fbde0f4ad179p-3, 0x1.0c0aff044a981p-3};
+    static constexpr double ln_2 = 0x1.62e42fefa3p-1;
+    static constexpr double ln_2_rest = 0x1.3de6af278ece6p-42;
+    static constexpr double one_over_ln_2 = 0x1.71547652b82fep0;
+    static constexpr double sqrt_2 = 0x1.6a09e667f3bcdp0;
+
+    static constexpr double largest_blade = 0x1p200;
+    static constexpr double largest_boost = 300;
+    static constexpr double noise = 0x1p-40;
+    static constexpr double small_square = 0x1p-20;
 };
 
 }  // namespace

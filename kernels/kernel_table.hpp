@@ -19,7 +19,7 @@ struct quaternion_array {
 // One call of a kernel: contiguous streams of equal size, and a few numbers that are the same for all
 // elements. Which stream is which, and which numbers, is said where the kernel is defined. The streams of
 // leading quaternions may be in arrays instead.
-inline constexpr int most_inputs = 33, most_outputs = 20, most_groups = 5, most_in_group = 16;
+inline constexpr int most_inputs = 33, most_outputs = 21, most_groups = 5, most_in_group = 16;
 
 template <class T>
 struct batch {
@@ -86,6 +86,17 @@ struct operations {
     kernel<T> motor_blend[precisions];
     kernel<T> motor_decompose[axis_forms][2][precisions];  // sign_left, sign_positive
     kernel<T> motor_compose[precisions];
+    kernel<T> conformal_multiply[precisions];
+    kernel<T> conformal_reverse;
+    kernel<T> conformal_from_motor, conformal_from_rotation, conformal_from_translation,
+        conformal_from_dilation;
+    kernel<T> conformal_transform[precisions];
+    kernel<T> conformal_square_root[precisions];
+    kernel<T> conformal_exp[precisions];
+    kernel<T> conformal_log[precisions];
+    kernel<T> conformal_power[precisions];
+    kernel<T> conformal_interpolate[precisions];
+    kernel<T> conformal_split[precisions];
 };
 
 struct kernel_table {

@@ -8,6 +8,9 @@
 #include "atan2.hpp"
 #include "axis_angle.hpp"
 #include "compose.hpp"
+#include "conformal.hpp"
+#include "conformal_exp.hpp"
+#include "conformal_planes.hpp"
 #include "conjugate.hpp"
 #include "decompose.hpp"
 #include "dot.hpp"
@@ -132,6 +135,19 @@ struct fill {
         table.sclerp[true][P] = loop<sclerp_op<P, true, V>>;
         table.motor_blend[P] = loop<motor_blend_op<P, V>>;
         table.motor_compose[P] = loop<motor_compose_op<P, V>>;
+        table.conformal_multiply[P] = loop<conformal_multiply_op<P, V>>;
+        table.conformal_reverse = loop<conformal_reverse_op<V>>;
+        table.conformal_from_motor = loop<conformal_from_motor_op<V>>;
+        table.conformal_from_rotation = loop<conformal_from_rotation_op<V>>;
+        table.conformal_from_translation = loop<conformal_from_translation_op<V>>;
+        table.conformal_from_dilation = loop<conformal_from_dilation_op<V>>;
+        table.conformal_transform[P] = loop<conformal_transform_op<P, V>>;
+        table.conformal_square_root[P] = loop<conformal_square_root_op<P, V>>;
+        table.conformal_exp[P] = loop<conformal_exp_op<P, V>>;
+        table.conformal_log[P] = loop<conformal_log_op<P, V>>;
+        table.conformal_power[P] = loop<conformal_power_op<P, V>>;
+        table.conformal_interpolate[P] = loop<conformal_interpolate_op<P, V>>;
+        table.conformal_split[P] = loop<conformal_split_op<P, V>>;
     }
 };
 

@@ -155,31 +155,62 @@ inline mask_of<V> has_bit(V a) noexcept {
 #endif
 }
 
+// The bits of every number moved to higher places.
+template <int Places, class V>
+inline V shifted_left(V a) noexcept {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(_mm512_castsi512_ps(_mm512_slli_epi32(_mm512_castps_si512(a), Places)));
+    else
+        return V(_mm512_castsi512_pd(_mm512_slli_epi64(_mm512_castpd_si512(a), Places)));
+#elif defined(__AVX2__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(_mm256_castsi256_ps(_mm256_slli_epi32(_mm256_castps_si256(a), Places)));
+    else
+        return V(_mm256_castsi256_pd(_mm256_slli_epi64(_mm256_castpd_si256(a), Places)));
+#elif defined(__SSE2__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(_mm_castsi128_ps(_mm_slli_epi32(_mm_castps_si128(a), Places)));
+    else
+        return V(_mm_castsi128_pd(_mm_slli_epi64(_mm_castpd_si128(a), Places)));
+#else
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(vreinterpretq_f32_u32(vshlq_n_u32(vreinterpretq_u32_f32(a), Places)));
+    else
+        return V(vreinterpretq_f64_u64(vshlq_n_u64(vreinterpretq_u64_f64(a), Places)));
+#endif
+}
+
+// To lower places, with zeros behind them.
+template <int Places, class V>
+inline V shifted_right(V a) noexcept {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(_mm512_castsi512_ps(_mm512_srli_epi32(_mm512_castps_si512(a), Places)));
+    else
+        return V(_mm512_castsi512_pd(_mm512_srli_epi64(_mm512_castpd_si512(a), Places)));
+#elif defined(__AVX2__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(_mm256_castsi256_ps(_mm256_srli_epi32(_mm256_castps_si256(a), Places)));
+    else
+        return V(_mm256_castsi256_pd(_mm256_srli_epi64(_mm256_castpd_si256(a), Places)));
+#elif defined(__SSE2__)
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(_mm_castsi128_ps(_mm_srli_epi32(_mm_castps_si128(a), Places)));
+    else
+        return V(_mm_castsi128_pd(_mm_srli_epi64(_mm_castpd_si128(a), Places)));
+#else
+    if constexpr (sizeof(scalar_of<V>) == 4)
+        return V(vreinterpretq_f32_u32(vshrq_n_u32(vreinterpretq_u32_f32(a), Places)));
+    else
+        return V(vreinterpretq_f64_u64(vshrq_n_u64(vreinterpretq_u64_f64(a), Places)));
+#endif
+}
+
 // That bit as the sign of 0.
 template <int Bit, class V>
 inline V sign_from_bit(V a) noexcept {
-    constexpr int shift = static_cast<int>(8 * sizeof(scalar_of<V>)) - 1 - Bit;
-#if defined(__AVX512F__)
-    if constexpr (sizeof(scalar_of<V>) == 4)
-        return sign_of(V(_mm512_castsi512_ps(_mm512_slli_epi32(_mm512_castps_si512(a), shift))));
-    else
-        return sign_of(V(_mm512_castsi512_pd(_mm512_slli_epi64(_mm512_castpd_si512(a), shift))));
-#elif defined(__AVX2__)
-    if constexpr (sizeof(scalar_of<V>) == 4)
-        return sign_of(V(_mm256_castsi256_ps(_mm256_slli_epi32(_mm256_castps_si256(a), shift))));
-    else
-        return sign_of(V(_mm256_castsi256_pd(_mm256_slli_epi64(_mm256_castpd_si256(a), shift))));
-#elif defined(__SSE2__)
-    if constexpr (sizeof(scalar_of<V>) == 4)
-        return sign_of(V(_mm_castsi128_ps(_mm_slli_epi32(_mm_castps_si128(a), shift))));
-    else
-        return sign_of(V(_mm_castsi128_pd(_mm_slli_epi64(_mm_castpd_si128(a), shift))));
-#else
-    if constexpr (sizeof(scalar_of<V>) == 4)
-        return sign_of(V(vreinterpretq_f32_u32(vshlq_n_u32(vreinterpretq_u32_f32(a), shift))));
-    else
-        return sign_of(V(vreinterpretq_f64_u64(vshlq_n_u64(vreinterpretq_u64_f64(a), shift))));
-#endif
+    return sign_of(shifted_left<static_cast<int>(8 * sizeof(scalar_of<V>)) - 1 - Bit>(a));
 }
 
 // The larger one; b where either is NaN. The max of x86 does just that, that of NEON does not.

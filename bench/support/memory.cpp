@@ -214,6 +214,46 @@ swivel::motor_view<T> workload<T>::written_motors() {
 }
 
 template <class T>
+swivel::conformal_view<T> workload<T>::take_rotors(memory::role r) {
+    swivel::conformal_view<T> v{{}, n_, layout_ == layout::aos ? 16 : 1};
+    T* const array = layout_ == layout::aos ? take(16 * n_, r) : nullptr;
+    for (int k = 0; k < 16; ++k) v.blade[k] = array != nullptr ? array + k : take(n_, r);
+    return v;
+}
+
+template <class T>
+swivel::conformal_view<const T> workload<T>::rotors() {
+    const swivel::conformal_view<T> v = take_rotors(memory::role::read);
+    for (std::size_t i = 0; i < n_; ++i) {
+        const auto [x, y, z, w] = samples()[i % distinct];
+        const double c[16] = {w,
+                              -z,
+                              y,
+                              -w * x,
+                              -w * x,
+                              -x,
+                              -w * y,
+                              -w * y,
+                              -w * z,
+                              -w * z,
+                              0,
+                              x * x + y * y + z * z,
+                              x * x + y * y + z * z,
+                              0,
+                              0,
+                              0};
+        for (int k = 0; k < 16; ++k)
+            v.blade[k][static_cast<std::ptrdiff_t>(i) * v.stride] = static_cast<T>(c[k]);
+    }
+    return v;
+}
+
+template <class T>
+swivel::conformal_view<T> workload<T>::written_rotors() {
+    return take_rotors(memory::role::written);
+}
+
+template <class T>
 swivel::factor_view<const T> workload<T>::factors() {
     T* stream[5];
     for (T*& s : stream) s = take(n_, memory::role::read);

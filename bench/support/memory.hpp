@@ -49,7 +49,10 @@ public:
     swivel::matrix_view<const T> matrices();
     // Those of a decomposition about z.
     swivel::factor_view<const T> factors();
+    // Of the rotations, each with a translation along its vector part.
+    swivel::conformal_view<const T> rotors();
     swivel::quat_view<T> quaternions();
+    swivel::conformal_view<T> written_rotors();
     swivel::vec3_view<T> vectors();
     swivel::matrix_view<T> written_matrices();
     swivel::scalar_view<T> scalars();
@@ -72,6 +75,7 @@ private:
     swivel::vec3_view<const T> axes_from(std::size_t first);
     swivel::matrix_view<T> take_matrices(memory::role r);
     swivel::motor_view<T> take_motors(memory::role r);
+    swivel::conformal_view<T> take_rotors(memory::role r);
     T* take(std::size_t count, memory::role r);
 
     std::size_t n_;

@@ -75,6 +75,7 @@ void add_exponentials_rows();
 void add_arcs_rows();
 void add_conversions_rows();
 void add_motors_rows();
+void add_conformal_rows();
 
 }  // namespace swivel_bench
 

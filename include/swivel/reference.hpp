@@ -225,6 +225,58 @@ status compose(const quat_view<const double>& swing, const quat_view<const doubl
                const vec3_view<const double>& translation, const motor_view<double>& out,
                options = {}) noexcept;
 
+// Conformal rotors.
+status multiply(const conformal_view<const float>& a, const conformal_view<const float>& b,
+                const conformal_view<float>& out, options = {}) noexcept;
+status multiply(const conformal_view<const double>& a, const conformal_view<const double>& b,
+                const conformal_view<double>& out, options = {}) noexcept;
+status reverse(const conformal_view<const float>& c, const conformal_view<float>& out, options = {}) noexcept;
+status reverse(const conformal_view<const double>& c, const conformal_view<double>& out,
+               options = {}) noexcept;
+status from_motor(const motor_view<const float>& m, const conformal_view<float>& out, options = {}) noexcept;
+status from_motor(const motor_view<const double>& m, const conformal_view<double>& out,
+                  options = {}) noexcept;
+status from_rotation(const quat_view<const float>& q, const conformal_view<float>& out,
+                     options = {}) noexcept;
+status from_rotation(const quat_view<const double>& q, const conformal_view<double>& out,
+                     options = {}) noexcept;
+status from_translation(const vec3_view<const float>& t, const conformal_view<float>& out,
+                        options = {}) noexcept;
+status from_translation(const vec3_view<const double>& t, const conformal_view<double>& out,
+                        options = {}) noexcept;
+status from_dilation(const scalar_view<const float>& factor, const conformal_view<float>& out,
+                     options = {}) noexcept;
+status from_dilation(const scalar_view<const double>& factor, const conformal_view<double>& out,
+                     options = {}) noexcept;
+status transform(const conformal_view<const float>& r, const vec3_view<const float>& points,
+                 const vec3_view<float>& out, options = {}) noexcept;
+status transform(const conformal_view<const double>& r, const vec3_view<const double>& points,
+                 const vec3_view<double>& out, options = {}) noexcept;
+status square_root(const conformal_view<const float>& r, const conformal_view<float>& out,
+                   const scalar_view<float>& unique, options = {}) noexcept;
+status square_root(const conformal_view<const double>& r, const conformal_view<double>& out,
+                   const scalar_view<double>& unique, options = {}) noexcept;
+status exp(const bivector_view<const float>& b, const conformal_view<float>& out, options = {}) noexcept;
+status exp(const bivector_view<const double>& b, const conformal_view<double>& out, options = {}) noexcept;
+status log(const conformal_view<const float>& r, const bivector_view<float>& out,
+           const scalar_view<float>& unique, options = {}) noexcept;
+status log(const conformal_view<const double>& r, const bivector_view<double>& out,
+           const scalar_view<double>& unique, options = {}) noexcept;
+status power(const conformal_view<const float>& r, const parameter<float>& t,
+             const conformal_view<float>& out, const scalar_view<float>& unique, options = {}) noexcept;
+status power(const conformal_view<const double>& r, const parameter<double>& t,
+             const conformal_view<double>& out, const scalar_view<double>& unique, options = {}) noexcept;
+status interpolate(const conformal_view<const float>& a, const conformal_view<const float>& b,
+                   const parameter<float>& t, const conformal_view<float>& out,
+                   const scalar_view<float>& unique, options = {}) noexcept;
+status interpolate(const conformal_view<const double>& a, const conformal_view<const double>& b,
+                   const parameter<double>& t, const conformal_view<double>& out,
+                   const scalar_view<double>& unique, options = {}) noexcept;
+status split(const bivector_view<const float>& b, const bivector_view<float>& first,
+             const bivector_view<float>& second, const scalar_view<float>& unique, options = {}) noexcept;
+status split(const bivector_view<const double>& b, const bivector_view<double>& first,
+             const bivector_view<double>& second, const scalar_view<double>& unique, options = {}) noexcept;
+
 }  // namespace swivel::reference
 
 #endif

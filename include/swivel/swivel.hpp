@@ -8,6 +8,7 @@
 #include "swivel/atan2.hpp"
 #include "swivel/axis_angle.hpp"
 #include "swivel/compose.hpp"
+#include "swivel/conformal.hpp"
 #include "swivel/conjugate.hpp"
 #include "swivel/decompose.hpp"
 #include "swivel/dot.hpp"

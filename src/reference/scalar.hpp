@@ -95,6 +95,33 @@ sine_cosine<T> sincos_of(T x) {
     return {sine, cosine};
 }
 
+template <class T>
+struct hyperbolic {
+    T sinh, cosh;
+};
+
+// Sinh and cosh of 0 <= x <= largest_boost by way of m = e^x - 1 = 2^k (e^r - 1) + (2^k - 1), x = r + k ln 2.
+template <class T>
+hyperbolic<T> sinhcosh_of(T x) {
+    using C = constants<T>;
+    const T k = (x * C::one_over_ln_2 + C::round) - C::round;
+    const T r = (x - k * C::ln_2) - k * C::ln_2_rest;
+    const T power = std::ldexp(T(1), static_cast<int>(k));
+    const T m = ((r * r) * polynomial(r, C::expm1) + r) * power + (power - 1), part = m / (m + 1);
+    return {T(0.5) * (m + part), (T(0.5) * m) * part + 1};
+}
+
+// For 0 <= x: log(1 + t) with t = x + (sqrt(1 + x^2) - 1), 1 + t = 2^k (1 + f) / (1 - f).
+template <class T>
+T asinh_of(T x) {
+    using C = constants<T>;
+    const T square = x * x, t = x + square / (1 + std::sqrt(square + 1)), sum = 1 + t;
+    const int exponent = std::ilogb(sum * C::sqrt_2);
+    const T k = static_cast<T>(exponent), rest = exponent == 0 ? t : sum * std::ldexp(T(1), -exponent) - 1;
+    const T f = rest / (rest + 2), s = f * f;
+    return k * C::ln_2 + ((f * s) * polynomial(s, C::log) + (k * C::ln_2_rest + (f + f)));
+}
+
 // A NaN for an infinity, everything else as it is.
 template <class T>
 T finite_or_nan(T a) {

@@ -1,5 +1,7 @@
 #include "support/operations.hpp"
 
+#include "support/conformal.hpp"
+
 namespace swivel::tests {
 
 template <class T>
@@ -11,12 +13,15 @@ workspace<T>::workspace(std::size_t n, layout l)
       vectors(n, l),
       factors_in(n),
       matrices_in(n, l),
+      motors_in(n, l),
+      other_motors_in(n, l),
+      rotors_in(n, l),
+      other_rotors_in(n, l),
+      bivectors_in(n, l),
       signs_in(n, l),
       angles_in(n, l),
       parameters_in(n, l),
       other_parameters_in(n, l),
-      motors_in(n, l),
-      other_motors_in(n, l),
       out(n, l),
       swing(n, l),
       twist(n, l),
@@ -24,9 +29,12 @@ workspace<T>::workspace(std::size_t n, layout l)
       other_vectors_out(n, l),
       factors_out(n),
       matrices_out(n, l),
+      motors_out(n, l),
+      rotors_out(n, l),
+      bivectors_out(n, l),
+      other_bivectors_out(n, l),
       scalars(n, l),
-      other_scalars(n, l),
-      motors_out(n, l) {}
+      other_scalars(n, l) {}
 
 template <class T>
 void workspace<T>::fill(generator& g) {
@@ -72,6 +80,23 @@ void workspace<T>::fill(generator& g) {
                         two * (r.x * r.z - r.w * r.y),     two * (r.y * r.z + r.w * r.x),
                         1 - two * (r.x * r.x + r.y * r.y)};
         for (int c = 0; c < 9; ++c) matrices_in.at(c, i) = m[c];
+    }
+    fill_conformal(g);
+}
+
+// From a generator of their own, so that the other numbers stay as they are.
+template <class T>
+void workspace<T>::fill_conformal(generator g) {
+    const std::vector<bivector<double>> corners = corner_bivectors();
+    for (std::size_t i = 0; i < size(); ++i) {
+        const bool corner = i % 3 == 2;
+        const bivector<double> b = corner ? corners[g() % corners.size()] : random_bivector(g);
+        for (int c = 0; c < 10; ++c) bivectors_in.at(c, i) = static_cast<T>(b[static_cast<std::size_t>(c)]);
+        const even<double> r = exact_exp(b), other = exact_exp(random_bivector(g));
+        for (int c = 0; c < 16; ++c) {
+            rotors_in.at(c, i) = static_cast<T>(r[static_cast<std::size_t>(c)]);
+            other_rotors_in.at(c, i) = static_cast<T>(other[static_cast<std::size_t>(c)]);
+        }
     }
 }
 

@@ -22,15 +22,19 @@ struct workspace {
     vec3_buffer<T> axes, vectors;
     factor_buffer<T> factors_in;
     matrix_buffer<T> matrices_in;
-    scalar_buffer<T> signs_in, angles_in, parameters_in, other_parameters_in;
     motor_buffer<T> motors_in, other_motors_in;
+    conformal_buffer<T> rotors_in, other_rotors_in;
+    bivector_buffer<T> bivectors_in;
+    scalar_buffer<T> signs_in, angles_in, parameters_in, other_parameters_in;
 
     quat_buffer<T> out, swing, twist;
     vec3_buffer<T> vectors_out, other_vectors_out;
     factor_buffer<T> factors_out;
     matrix_buffer<T> matrices_out;
-    scalar_buffer<T> scalars, other_scalars;
     motor_buffer<T> motors_out;
+    conformal_buffer<T> rotors_out;
+    bivector_buffer<T> bivectors_out, other_bivectors_out;
+    scalar_buffer<T> scalars, other_scalars;
 
     vec3<T> axis_for_all{T(0.36), T(-0.48), T(1.6)};
 
@@ -41,6 +45,9 @@ struct workspace {
     // Every third element a corner, the others random: rotations, factors that belong to them, directions of any
     // length, angles of a few turns, parameters in and a little out of [0, 1], motors with translations of any length.
     void fill(generator& g);
+
+private:
+    void fill_conformal(generator g);
 };
 
 template <class T>
@@ -87,6 +94,8 @@ void add_arcs(std::vector<operation<T>>& all);
 template <class T>
 void add_conversions(std::vector<operation<T>>& all);
 template <class T>
+void add_conformal(std::vector<operation<T>>& all);
+template <class T>
 void add_interpolation(std::vector<operation<T>>& all);
 template <class T>
 void add_motors(std::vector<operation<T>>& all);
@@ -102,6 +111,7 @@ std::vector<operation<T>> all_operations() {
     add_arcs(all);
     add_conversions(all);
     add_motors(all);
+    add_conformal(all);
     return all;
 }
 

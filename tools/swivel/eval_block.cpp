@@ -15,6 +15,12 @@ std::vector<std::string> column_names(const column_group& group) {
             return {p + "xx", p + "xy", p + "xz", p + "yx", p + "yy", p + "yz", p + "zx", p + "zy", p + "zz"};
         case group_kind::motor:
             return {p + "x", p + "y", p + "z", p + "w", p + "dx", p + "dy", p + "dz", p + "dw"};
+        case group_kind::conformal:
+            return {p + "s",  p + "12", p + "13", p + "14",   p + "15",   p + "23",   p + "24",   p + "25",
+                    p + "34", p + "35", p + "45", p + "1234", p + "1235", p + "1245", p + "1345", p + "2345"};
+        case group_kind::bivector:
+            return {p + "12", p + "13", p + "14", p + "15", p + "23",
+                    p + "24", p + "25", p + "34", p + "35", p + "45"};
         case group_kind::scalar:
             break;
     }
@@ -77,6 +83,22 @@ swivel::motor_view<T> eval_block<T>::motor(std::size_t group) const noexcept {
     const strided* const c = group_columns(group);
     return {c[0].first, c[1].first, c[2].first, c[3].first, c[4].first,
             c[5].first, c[6].first, c[7].first, rows_,      c[0].stride};
+}
+
+template <class T>
+swivel::conformal_view<T> eval_block<T>::conformal(std::size_t group) const noexcept {
+    const strided* const c = group_columns(group);
+    swivel::conformal_view<T> v{{}, rows_, c[0].stride};
+    for (int k = 0; k < 16; ++k) v.blade[k] = c[k].first;
+    return v;
+}
+
+template <class T>
+swivel::bivector_view<T> eval_block<T>::bivector(std::size_t group) const noexcept {
+    const strided* const c = group_columns(group);
+    swivel::bivector_view<T> v{{}, rows_, c[0].stride};
+    for (int k = 0; k < 10; ++k) v.blade[k] = c[k].first;
+    return v;
 }
 
 template <class T>

@@ -17,6 +17,8 @@ enum class group_kind {
     factors,     // s1 s2 sc ts tc
     matrix,      // prefix + xx, xy, xz, yx ... zz: row x first
     motor,       // prefix + x, y, z, w, dx, dy, dz, dw
+    conformal,   // prefix + s, 12, 13, 14, 15, 23 ... 2345: 16 columns
+    bivector,    // prefix + 12, 13, 14, 15, 23 ... 45: 10 columns
     scalar       // one column, of the name itself
 };
 
@@ -56,6 +58,8 @@ public:
     [[nodiscard]] swivel::factor_view<T> factors(std::size_t group) const noexcept;
     [[nodiscard]] swivel::matrix_view<T> matrix(std::size_t group) const noexcept;
     [[nodiscard]] swivel::motor_view<T> motor(std::size_t group) const noexcept;
+    [[nodiscard]] swivel::conformal_view<T> conformal(std::size_t group) const noexcept;
+    [[nodiscard]] swivel::bivector_view<T> bivector(std::size_t group) const noexcept;
     [[nodiscard]] swivel::scalar_view<T> scalar(std::size_t group) const noexcept;
 
 private:

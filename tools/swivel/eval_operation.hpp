@@ -61,6 +61,10 @@ extern const eval_operation eval_from_axis_angle, eval_from_euler, eval_from_mat
 extern const eval_operation eval_to_axis_angle, eval_to_euler, eval_to_matrix, eval_to_spinor;
 extern const eval_operation eval_align_signs, eval_conjugate, eval_dot, eval_multiply, eval_normalize,
     eval_rotate;
+extern const eval_operation eval_conformal_multiply, eval_conformal_reverse, eval_conformal_from_motor,
+    eval_conformal_from_rotation, eval_conformal_from_translation, eval_conformal_from_dilation,
+    eval_conformal_transform, eval_conformal_square_root, eval_conformal_exp, eval_conformal_log,
+    eval_conformal_power, eval_conformal_interpolate, eval_conformal_split;
 extern const eval_operation eval_exp, eval_log, eval_power, eval_square_root;
 extern const eval_operation eval_arc_with_twist, eval_shortest_arc;
 extern const eval_operation eval_motor_compose, eval_motor_decompose, eval_motor_multiply,

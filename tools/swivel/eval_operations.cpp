@@ -49,6 +49,19 @@ std::span<const eval_operation* const> eval_operations() noexcept {
         &eval_blend,
         &eval_motor_decompose,
         &eval_motor_compose,
+        &eval_conformal_multiply,
+        &eval_conformal_reverse,
+        &eval_conformal_from_motor,
+        &eval_conformal_from_rotation,
+        &eval_conformal_from_translation,
+        &eval_conformal_from_dilation,
+        &eval_conformal_transform,
+        &eval_conformal_square_root,
+        &eval_conformal_exp,
+        &eval_conformal_log,
+        &eval_conformal_power,
+        &eval_conformal_interpolate,
+        &eval_conformal_split,
     };
     return operations;
 }
