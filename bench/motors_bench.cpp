@@ -2,8 +2,8 @@
 
 #include "support/peer_rows.hpp"
 
-// sclerp with a parameter for each element; points moved and motors multiplied, each by one of its own; the blend of
-// four motors, whose weights are four streams.
+// sclerp with a parameter for each element; points moved and motors multiplied, each by one of its own; the
+// blend of four motors, whose weights are four streams.
 
 namespace swivel_bench {
 

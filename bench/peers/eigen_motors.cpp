@@ -33,8 +33,8 @@ motor<T> product(const motor<T>& a, const motor<T>& b) noexcept {
     return {a.r * b.r, quaternion<T>((a.r * b.d).coeffs() + (a.d * b.r).coeffs())};
 }
 
-// Part by part: a whole motor is stored by a 256 bit register, after which gcc 12 forgets the vzeroupper before acosf, and
-// the call takes 100 ns more.
+// Part by part: a whole motor is stored by a 256 bit register, after which gcc 12 forgets the vzeroupper
+// before acosf, and the call takes 100 ns more.
 template <class T>
 void power(const motor<T>& m, T t, quaternion<T>& r, quaternion<T>& d) noexcept {
     const T sine = m.r.vec().norm();
