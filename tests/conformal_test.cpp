@@ -498,6 +498,46 @@ TEST_P(Conformal, WhatIsOutOfTheDomainIsSaidNotToBeUnique) {
     }
 }
 
+// 1 + R0 does not cancel: as near as that the root is the half turn about the axis of R.
+template <class T>
+void near_minus_one(double nearest) {
+    conformal_buffer<T> r(1, layout::soa), out(1, layout::soa);
+    scalar_buffer<T> unique(1, layout::soa);
+    for (double away = 0.1; away > nearest; away /= 2)
+        for (const precision p : both_precisions) {
+            even<double> turn{-std::cos(away)};
+            turn[1] = 0.6 * std::sin(away);
+            turn[5] = -0.8 * std::sin(away);
+            set(r, 0, turn);
+            ASSERT_EQ(square_root(r.view(), out.view(), unique.view(), {.accuracy = p}), status::ok);
+            ASSERT_EQ(unique[0], 1) << away;
+            const double c = std::cos(away / 2), h = std::sin(away / 2);
+            ASSERT_LE(error(get(out, 0), {h, 0.6 * c, 0, 0, 0, -0.8 * c}), bound<T>(2e-7, 4e-16)) << away;
+        }
+}
+
+TEST_P(Conformal, RotationsNearMinusOneHaveTheirRoot) {
+    near_minus_one<float>(0x1p-24);
+    near_minus_one<double>(0x1p-239);
+}
+
+TEST_P(Conformal, ExpOfWhatIsOutOfTheDomainIsOne) {
+    const std::vector<bivector<double>> outside = {rotation_generator(0, 5000, 0), dilation_generator(100),
+                                                   translation_generator(1e7, 0, 0),
+                                                   translation_generator(3e38, 3e38, 3e38)};
+    bivector_buffer<float> b(1, layout::soa);
+    conformal_buffer<float> out(1, layout::soa);
+    for (const bivector<double>& far : outside)
+        for (const precision p : both_precisions) {
+            set(b, 0, far);
+            ASSERT_EQ(exp(b.view(), out.view(), {.accuracy = p}), status::ok);
+            EXPECT_EQ(get(out, 0), even<double>{1});
+        }
+    set(b, 0, rotation_generator(0, 4000, 0) + dilation_generator(60));
+    ASSERT_EQ(exp(b.view(), out.view()), status::ok);
+    EXPECT_GT(std::fabs(get(out, 0)[10]), 1e10);
+}
+
 // What the recipes of the literature do in each of these cases, ours do right.
 struct motion_case {
     const char* name;

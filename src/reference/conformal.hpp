@@ -24,38 +24,52 @@ inline constexpr int bivectors = 1, four_vectors = 11, end_of_blades = 16;
 inline constexpr int e12 = 1, e13 = 2, e14 = 3, e15 = 4, e23 = 5, e24 = 6, e25 = 7, e34 = 8, e35 = 9,
                      e45 = 10, e1234 = 11, e1235 = 12, e1245 = 13, e1345 = 14, e2345 = 15;
 
-inline int index_of_blade(unsigned set) {
+constexpr int index_of_blade(unsigned set) {
     int k = 0;
     while (blades[k] != set) ++k;
     return k;
 }
 
-// The sign that the product of two blades takes: one change for every pair of vectors that has to change
-// places, and one where e5, whose square is -1, meets itself.
-template <class T>
-T sign_of_product(unsigned a, unsigned b) {
-    bool negative = (a & b & 0b10000U) != 0;
+// Whether the product of two blades changes its sign: once for every pair of vectors that has to change
+// places, and once where e5, whose square is -1, meets itself.
+constexpr bool changes_sign(unsigned a, unsigned b) {
+    bool changes = (a & b & 0b10000U) != 0;
     for (unsigned i = 0; i < 5; ++i)
         for (unsigned j = 0; j < i; ++j)
-            if ((a >> i & 1U) != 0 && (b >> j & 1U) != 0) negative = !negative;
-    return negative ? T(-1) : T(1);
+            if ((a >> i & 1U) != 0 && (b >> j & 1U) != 0) changes = !changes;
+    return changes;
 }
 
+// The terms of each component of a product. Those of a component with e5 and without e4 come in the order of
+// those of the one with e4 and without e5.
+struct term {
+    int left, right;
+    bool minus;
+};
+
+inline constexpr auto terms = [] {
+    std::array<std::array<term, 16>, 16> all{};
+    for (std::size_t out = 0; out < 16; ++out) {
+        const bool exchange = (blades[out] & 0b11000U) == 0b10000U;
+        for (std::size_t k = 0; k < 16; ++k) {
+            unsigned left = blades[k];
+            if (exchange) left = (left & 0b00111U) | (left >> 4 & 1U) << 3 | (left >> 3 & 1U) << 4;
+            const unsigned right = left ^ blades[out];
+            all[out][k] = {index_of_blade(left), index_of_blade(right), changes_sign(left, right)};
+        }
+    }
+    return all;
+}();
+
 // Component `out` of the product, from the components [a_first, a_end) of a that meet [b_first, b_end) of b.
-// The terms of a component with e5 and without e4 come in the order of those of the one with e4 and without
-// e5.
 template <class T>
 T product_component(int out, const even<T>& a, int a_first, int a_end, const even<T>& b, int b_first,
                     int b_end) {
-    const bool exchange = (blades[out] & 0b10000U) != 0 && (blades[out] & 0b01000U) == 0;
     T sum = 0;
-    for (unsigned blade : blades) {
-        const unsigned e4 = blade >> 3 & 1U, e5 = blade >> 4 & 1U;
-        if (exchange) blade = (blade & 0b00111U) | e5 << 3 | e4 << 4;
-        const int i = index_of_blade(blade), j = index_of_blade(blade ^ blades[out]);
-        if (i < a_first || i >= a_end || j < b_first || j >= b_end) continue;
-        sum += sign_of_product<T>(blades[i], blades[j]) *
-               (a[static_cast<std::size_t>(i)] * b[static_cast<std::size_t>(j)]);
+    for (const term& t : terms[static_cast<std::size_t>(out)]) {
+        if (t.left < a_first || t.left >= a_end || t.right < b_first || t.right >= b_end) continue;
+        const T product = a[static_cast<std::size_t>(t.left)] * b[static_cast<std::size_t>(t.right)];
+        sum = t.minus ? sum - product : sum + product;
     }
     return sum;
 }

@@ -87,15 +87,30 @@ void workspace<T>::fill(generator& g) {
 // From a generator of their own, so that the other numbers stay as they are.
 template <class T>
 void workspace<T>::fill_conformal(generator g) {
-    const std::vector<bivector<double>> corners = corner_bivectors();
+    struct sample {
+        bivector<double> b;
+        even<double> r;
+    };
+    // Made once: the series take long.
+    static constexpr auto motions_of = [](const std::vector<bivector<double>>& all) {
+        std::vector<sample> made;
+        for (const bivector<double>& b : all) made.push_back({b, exact_exp(b)});
+        return made;
+    };
+    static const std::vector<sample> corners = motions_of(corner_bivectors());
+    static const std::vector<sample> regular = [] {
+        generator own(31);
+        std::vector<bivector<double>> all(211);
+        for (bivector<double>& b : all) b = random_bivector(own);
+        return motions_of(all);
+    }();
     for (std::size_t i = 0; i < size(); ++i) {
-        const bool corner = i % 3 == 2;
-        const bivector<double> b = corner ? corners[g() % corners.size()] : random_bivector(g);
-        for (int c = 0; c < 10; ++c) bivectors_in.at(c, i) = static_cast<T>(b[static_cast<std::size_t>(c)]);
-        const even<double> r = exact_exp(b), other = exact_exp(random_bivector(g));
+        const sample& m = i % 3 == 2 ? corners[g() % corners.size()] : regular[g() % regular.size()];
+        const sample& other = regular[g() % regular.size()];
+        for (int c = 0; c < 10; ++c) bivectors_in.at(c, i) = static_cast<T>(m.b[static_cast<std::size_t>(c)]);
         for (int c = 0; c < 16; ++c) {
-            rotors_in.at(c, i) = static_cast<T>(r[static_cast<std::size_t>(c)]);
-            other_rotors_in.at(c, i) = static_cast<T>(other[static_cast<std::size_t>(c)]);
+            rotors_in.at(c, i) = static_cast<T>(m.r[static_cast<std::size_t>(c)]);
+            other_rotors_in.at(c, i) = static_cast<T>(other.r[static_cast<std::size_t>(c)]);
         }
     }
 }
