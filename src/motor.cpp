@@ -72,7 +72,8 @@ status weighted_sum(std::span<const motor_view<const T>> motors, std::span<const
                           std::tuple(group_of(out)));
         if (const status bad = check(s); bad != status::ok) return bad;
     }
-    constexpr std::size_t block = 64;
+    // So long that the calls for a block cost little beside it, and 8 KiB of stack.
+    constexpr std::size_t block = 1024 / sizeof(T);
     alignas(64) T memory[8][block];
     const kernel<T> add = kernels<T>().motor_blend[index_of(o.accuracy)];
     for (std::size_t done = 0; done < out.size; done += block) {
