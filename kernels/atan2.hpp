@@ -17,8 +17,9 @@ inline V atan_of(V z) noexcept {
     return M::multiply_add(z * s, polynomial<M>(s, constants<scalar_of<V>>::atan), z);
 }
 
-// The angle of the point (x, y), y >= 0, in [0, pi]; (0, 0) counts as (+-1, 0). It is k pi/2 plus or minus that of the
-// quotient of the smaller by the larger coordinate, with k pi/2 in two parts of which the first is exact.
+// The angle of the point (x, y), y >= 0, in [0, pi]; (0, 0) counts as (+-1, 0). It is k pi/2 plus or minus
+// that of the quotient of the smaller by the larger coordinate, with k pi/2 in two parts of which the first
+// is exact.
 template <precision_index P, class V>
 inline V atan2_above(V y, V x) noexcept {
     using T = scalar_of<V>;
@@ -48,8 +49,8 @@ inline V atan2_of(V y, V x) noexcept {
     return atan2_above<P>(magnitude(y), x) ^ sign_of(y);
 }
 
-// The same of a point at that distance from (0, 0), without a comparison of its coordinates: twice the angle at half
-// the way, whose tangent is y / (distance + |x|).
+// The same of a point at that distance from (0, 0), without a comparison of its coordinates: twice the angle
+// at half the way, whose tangent is y / (distance + |x|).
 template <precision_index P, class V>
 inline V angle_of(V y, V x, V distance) noexcept {
     using T = scalar_of<V>;

@@ -150,8 +150,8 @@ struct vector_form {
     }
 };
 
-// Uniform: the threshold, the unit axis, and |a|^2 - 1, what its rounding left over. That is taken out of the norms,
-// except where the arithmetic is fused and has room for it in its figures.
+// Uniform: the threshold, the unit axis, and |a|^2 - 1, what its rounding left over. That is taken out of the
+// norms, except where the arithmetic is fused and has room for it in its figures.
 template <precision_index P, class V>
 struct uniform_form : vector_form<P, V> {
     using base = vector_form<P, V>;

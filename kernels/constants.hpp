@@ -30,12 +30,12 @@ struct constants<float> {
     static constexpr float half_pi_rest = -0x1.5777a6p-21f;
     static constexpr float pi = 0x1.921fb6p1f;
 
-    // sin r = r + r^3 (c0 + c1 r^2 + ...), cos r = 1 - r^2/2 + r^4 (c0 + c1 r^2 + ...) for |r| <= pi/4; relative errors
-    // 4.0e-9 and 1.1e-10 (minimax).
+    // sin r = r + r^3 (c0 + c1 r^2 + ...), cos r = 1 - r^2/2 + r^4 (c0 + c1 r^2 + ...) for |r| <= pi/4;
+    // relative errors 4.0e-9 and 1.1e-10 (minimax).
     static constexpr float sin[] = {-0x1.555546p-3f, 0x1.110778p-7f, -0x1.9953f2p-13f};
     static constexpr float cos[] = {0x1.55554ap-5f, -0x1.6c0c1ap-10f, 0x1.99e0eep-16f};
-    // The sum of the parts of pi/2, each but the last of 11 bits, so that products with whole numbers up to 2^13 are
-    // exact: all that come with angles up to 2^13.
+    // The sum of the parts of pi/2, each but the last of 11 bits, so that products with whole numbers up to
+    // 2^13 are exact: all that come with angles up to 2^13.
     static constexpr float half_pi_parts[] = {0x1.92p0f, 0x1.fb4p-12f, 0x1.444p-24f, 0x1.68c234p-39f};
     // The same where products are not rounded.
     static constexpr float half_pi_fused[] = {0x1.921fb6p0f, -0x1.777a5cp-25f, -0x1.ee59dap-50f};
@@ -44,8 +44,8 @@ struct constants<float> {
     // Added to a number up to 2^22, it leaves no room for a fraction.
     static constexpr float round = 0x1.8p23f;
 
-    // e^r - 1 = r + r^2 (c0 + c1 r + ...) for |r| <= ln 2 / 2, relative error 1.8e-9; log((1 + f) / (1 - f)) = 2 f +
-    // f^3 (c0 + c1 f^2 + ...) for |f| <= 0.172, relative error 3.0e-10.
+    // e^r - 1 = r + r^2 (c0 + c1 r + ...) for |r| <= ln 2 / 2, relative error 1.8e-9; log((1 + f) / (1 - f))
+    // = 2 f + f^3 (c0 + c1 f^2 + ...) for |f| <= 0.172, relative error 3.0e-10.
     static constexpr float expm1[] = {0x1p-1f,       0x1.555556p-3f, 0x1.5554e8p-5f,
                                       0x1.1110ep-7f, 0x1.6d43bp-10f, 0x1.a1256cp-13f};
     static constexpr float log[] = {0x1.555556p-1f, 0x1.9999ecp-2f, 0x1.245c28p-2f, 0x1.ddd4dap-3f};
@@ -55,8 +55,8 @@ struct constants<float> {
     static constexpr float one_over_ln_2 = 0x1.715476p0f;
     static constexpr float sqrt_2 = 0x1.6a09e6p0f;
 
-    // Of conformal rotors and their logarithms: components that are larger, and boosts, are out of the domain, and of
-    // two terms whose difference is smaller than their sum times the noise nothing is left.
+    // Of conformal rotors and their logarithms: components that are larger, and boosts, are out of the
+    // domain, and of two terms whose difference is smaller than their sum times the noise nothing is left.
     static constexpr float largest_blade = 0x1p20f;
     static constexpr float largest_boost = 40;
     static constexpr float noise = 0x1p-16f;
@@ -89,7 +89,8 @@ struct constants<double> {
                                      0x1.71de35552aeb6p-19, -0x1.ae5e4b8373053p-26, 0x1.5d8b556a87505p-33};
     static constexpr double cos[] = {0x1.555555555554cp-5,   -0x1.6c16c16c1521bp-10, 0x1.a01a019cbeb6ep-16,
                                      -0x1.27e4f812123d5p-22, 0x1.1ee9f0ccabf6dp-29,  -0x1.8fb0e1de41db5p-37};
-    // For whole numbers up to 2^20: 33 bits, so many that the second difference is exact, 33 bits, and the rest.
+    // For whole numbers up to 2^20: 33 bits, so many that the second difference is exact, 33 bits, and the
+    // rest.
     static constexpr double half_pi_parts[] = {0x1.921fb544p0, 0x1.0b46p-34, 0x1.1a626331p-54,
                                                0x1.1701b839a252p-88};
     static constexpr double half_pi_fused[] = {0x1.921fb54442d18p0, 0x1.1a62633145c07p-54,

@@ -32,7 +32,8 @@ inline V ratio_of_lengths(V aa, V bb) noexcept {
         return aa * arithmetic<P>::reciprocal_root(larger(floor, aa * bb));
 }
 
-// In reproducible the ends themselves, with all their bits, unless the result says that something is not finite.
+// In reproducible the ends themselves, with all their bits, unless the result says that something is not
+// finite.
 template <precision_index P, class V>
 inline rotor<V> with_ends(const rotor<V>& between, mask_of<V> at_a, const rotor<V>& a, mask_of<V> at_b,
                           const rotor<V>& b) noexcept {

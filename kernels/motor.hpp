@@ -209,7 +209,8 @@ struct motor_transform_op {
     }
 };
 
-// Streams in: the sum so far, the rotation x y z w that signs are aligned with, a motor, its weight. Out: the sum.
+// Streams in: the sum so far, the rotation x y z w that signs are aligned with, a motor, its weight. Out: the
+// sum.
 template <precision_index P, class V>
 struct motor_blend_op {
     using M = arithmetic<P>;

@@ -12,9 +12,10 @@
 namespace swivel {
 namespace {
 
-// A motor as screw: m and w are sine and cosine of half the angle, u the direction of the axis, p half of the way along
-// it; across is the rest of the dual vector part, m times the moment of the axis. p needs no quotient, since
-// u.e = p w and dw = -p m, e being the dual vector part. For a translation u is of no account.
+// A motor as screw: m and w are sine and cosine of half the angle, u the direction of the axis, p half of the
+// way along it; across is the rest of the dual vector part, m times the moment of the axis. p needs no
+// quotient, since u.e = p w and dw = -p m, e being the dual vector part. For a translation u is of no
+// account.
 template <class V>
 struct screw {
     V m, w, angle, p;
@@ -27,7 +28,8 @@ struct screw {
     }
 };
 
-// Whether r is -1 to rounding. The axis of the motion is then taken from the translation, that is from the dual part.
+// Whether r is -1 to rounding. The axis of the motion is then taken from the translation, that is from the
+// dual part.
 template <class V>
 inline mask_of<V> is_minus_one(const rotor<V>& r) noexcept {
     using T = scalar_of<V>;
@@ -103,8 +105,8 @@ struct motor_square_root_op {
         const V real[4] = {select(pole, a.d.x, a.r.x), select(pole, a.d.y, a.r.y), select(pole, a.d.z, a.r.z),
                            a.r.w};
         const polar_form<P, V> q = polar<P>(real, 1);
-        // As the root of a quaternion: |r| + |w| and m, or for negative w m and |r| + |w|, are in proportion to cosine and
-        // sine of the half.
+        // As the root of a quaternion: |r| + |w| and m, or for negative w m and |r| + |w|, are in proportion
+        // to cosine and sine of the half.
         const V m = select(pole, zero, q.m), squared = m * m;
         const V sum =
             root_divisor<P, V>(larger(floor, M::multiply_add(q.w, q.w, squared))).root() + magnitude(q.w);

@@ -6,8 +6,8 @@
 namespace swivel {
 namespace {
 
-// The Hamilton product l r, NaN where anything in it is NaN or infinite. multiply runs the kernel of compose without
-// signs.
+// The Hamilton product l r, NaN where anything in it is NaN or infinite. multiply runs the kernel of compose
+// without signs.
 template <precision_index P, class V>
 inline void product_of(const rotor<V>& l, const rotor<V>& r, V* out) noexcept {
     using M = arithmetic<P>;

@@ -19,8 +19,8 @@ using scalar_of = typename V::value_type;
 template <class V>
 using mask_of = typename V::batch_bool_type;
 
-// Whether there are registers enough to work on three elements' worth of streams at a time. (NEON has them too; it was
-// not measured there.)
+// Whether there are registers enough to work on three elements' worth of streams at a time. (NEON has them
+// too; it was not measured there.)
 #if defined(__AVX512F__)
 inline constexpr bool has_32_registers = true;
 #else
@@ -59,8 +59,8 @@ inline constexpr bool has_fma = false;
 // needs, the speed of a square root and a division.
 template <class T>
 inline constexpr int newton_steps = sizeof(T) == 4 ? 1 : -1;
-// After one step from an estimate of 11 bits the root is too small by up to 3 units of 2^-24, never too large;
-// this adds 1.
+// After one step from an estimate of 11 bits the root is too small by up to 3 units of 2^-24, never too
+// large; this adds 1.
 template <class T>
 inline constexpr T newton_one = sizeof(T) == 4 ? T(1 + 0x1p-23) : T(1);
 
@@ -342,8 +342,8 @@ inline __m256i first_lanes_64(std::size_t count) noexcept {
 }
 #endif
 
-// The first `count` lanes, of which there are some but not all, from memory; 1 in the others, a value that takes the
-// regular way through every kernel.
+// The first `count` lanes, of which there are some but not all, from memory; 1 in the others, a value that
+// takes the regular way through every kernel.
 template <class V>
 inline V load_first(const scalar_of<V>* from, std::size_t count) noexcept {
     using T = scalar_of<V>;

@@ -15,8 +15,8 @@ inline V horner(V x, const scalar_of<V> (&c)[N]) noexcept {
         return M::multiply_add(horner<M, K + Step, Step>(x, c), x, V(c[K]));
 }
 
-// c[0] + c[1] x + ...; the long ones as two chains that do not wait for each other, but for the first two coefficients:
-// even and odd part alone are larger than their sum, and so are their roundings.
+// c[0] + c[1] x + ...; the long ones as two chains that do not wait for each other, but for the first two
+// coefficients: even and odd part alone are larger than their sum, and so are their roundings.
 template <class M, class V, std::size_t N>
 inline V polynomial(V x, const scalar_of<V> (&c)[N]) noexcept {
     if constexpr (N < 5) {

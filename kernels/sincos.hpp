@@ -10,7 +10,8 @@ namespace swivel {
 namespace {
 
 // Sine and cosine of angles up to constants::largest_angle. The angle is brought to r = |x| - k pi/2 in
-// [-pi/4, pi/4], with pi/2 in parts so short that their products with k are exact, all but the last. NaN gives NaN.
+// [-pi/4, pi/4], with pi/2 in parts so short that their products with k are exact, all but the last. NaN
+// gives NaN.
 template <precision_index P, class V>
 inline void sincos_within(V x, V& sine, V& cosine) noexcept {
     using T = scalar_of<V>;
@@ -27,7 +28,8 @@ inline void sincos_within(V x, V& sine, V& cosine) noexcept {
         r = M::negate_multiply_add(k, V(C::half_pi_fused[1]), r);
         r = M::negate_multiply_add(k, V(C::half_pi_fused[2]), r);
     } else {
-        // Exact, up to here; what the difference of the third product rounds off goes back in with the fourth.
+        // Exact, up to here; what the difference of the third product rounds off goes back in with the
+        // fourth.
         const V rest = (r - k * V(C::half_pi_parts[0])) - k * V(C::half_pi_parts[1]);
         const V third = k * V(C::half_pi_parts[2]), reduced = rest - third;
         r = reduced + (((rest - reduced) - third) - k * V(C::half_pi_parts[3]));

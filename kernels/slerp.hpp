@@ -10,9 +10,9 @@ namespace {
 
 // Streams in: a x y z w, b x y z w, t.
 //
-// With p = a + b and n = b - a, which are at right angles, the way from a to b is cos(f) p/|p| + sin(f) n/|n|, f going
-// from -h to h = atan(|n| / |p|), half of the angle between them. Nothing is divided by the sine of an angle, and one
-// sincos does.
+// With p = a + b and n = b - a, which are at right angles, the way from a to b is cos(f) p/|p| + sin(f)
+// n/|n|, f going from -h to h = atan(|n| / |p|), half of the angle between them. Nothing is divided by the
+// sine of an angle, and one sincos does.
 template <precision_index P, bool LongWay, class V>
 struct slerp_op {
     using T = scalar_of<V>;
@@ -50,8 +50,8 @@ struct slerp_op {
                    M::multiply_add(of_b, b.z, of_a * a.z), M::multiply_add(of_b, b.w, of_a * a.w)};
     }
 
-    // Near a full turn p is all rounding: its part along n has to go, and what remains may be nothing, when the turn is
-    // about x and p stays short, since its length is the cosine of h.
+    // Near a full turn p is all rounding: its part along n has to go, and what remains may be nothing, when
+    // the turn is about x and p stays short, since its length is the cosine of h.
     static void long_way(const rotor<V>& a, const rotor<V>& b, V t, rotor<V>& between) noexcept {
         const rotor<V> n{b.x - a.x, b.y - a.y, b.z - a.z, b.w - a.w};
         rotor<V> p{a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
@@ -66,8 +66,8 @@ struct slerp_op {
                    M::multiply_add(across, n.z, along * p.z), M::multiply_add(across, n.w, along * p.w)};
     }
 
-    // cos(f)/|p| and sin(f)/|n|. Where a and b are so near that the squares vanish, only the quotient of sin(f) and |n|
-    // matters.
+    // cos(f)/|p| and sin(f)/|n|. Where a and b are so near that the squares vanish, only the quotient of
+    // sin(f) and |n| matters.
     template <bool PIsShorter>
     static void weights(V pp, V nn, V t, V& along, V& across) noexcept {
         const V floor(C::pole_floor), turn = M::multiply_add(t, V(T(2)), V(T(-1)));

@@ -46,11 +46,11 @@ struct along_the_chord {
     }
 };
 
-// Streams in: a x y z w, b x y z w, those of the form's axis, the parameters of swing and twist. Uniform: that of the
-// form, and -0 for the long way, else 0.
+// Streams in: a x y z w, b x y z w, those of the form's axis, the parameters of swing and twist. Uniform:
+// that of the form, and -0 for the long way, else 0.
 //
-// With D = b a* (in the body a* b) = S T, the result is S^s T^t a (in the body a S^s T^t). Where T = c + d l and the
-// swing's S = r + (c p + d k) with k = l x p, the factors come together as
+// With D = b a* (in the body a* b) = S T, the result is S^s T^t a (in the body a S^s T^t). Where T = c + d l
+// and the swing's S = r + (c p + d k) with k = l x p, the factors come together as
 //   S^s T^t = cos(f) cos(g) + cos(f) sin(g) l + sin(f)/|p| (cos(h - g) p + sin(h - g) k),
 // f = s atan2(|p|, r), h = atan2(d, c), g = t h.
 template <precision_index P, class Form, class Motion, bool Body, class V>

@@ -95,8 +95,8 @@ void array_loop(const batch<scalar_of<V>>& b, std::index_sequence<I...>, std::in
     const std::size_t size = b.size;
     std::size_t i = 0;
     if constexpr (has_32_registers) {
-        // Three stages, each a register behind the one before it: what a stage needs has long been there, so that
-        // the processor's window does not fill up with instructions that wait.
+        // Three stages, each a register behind the one before it: what a stage needs has long been there, so
+        // that the processor's window does not fill up with instructions that wait.
         if (size >= V::size) {
             const std::size_t last = size - size % V::size - V::size;
             V current[Op::inputs], done[Op::outputs];
@@ -156,8 +156,8 @@ inline void stream_loop(const batch<scalar_of<V>>& b, std::index_sequence<I...> 
     }
 }
 
-// The same, two registers at a time by `Wide` as long as there are two; for operations of many steps that wait for one
-// another (twin.hpp).
+// The same, two registers at a time by `Wide` as long as there are two; for operations of many steps that
+// wait for one another (twin.hpp).
 template <class V, class Op, class Wide, std::size_t... I, std::size_t... O>
 inline void twin_loop(const batch<scalar_of<V>>& b, std::index_sequence<I...> inputs,
                       std::index_sequence<O...> outputs) noexcept {
@@ -192,8 +192,8 @@ template <class V, class Op, class Wide>
         stream_loop<V, Op>(b, inputs, outputs);
 }
 
-// Flattened: gcc 12 would leave the second call of the operation, that of the tail, out of line, and every register in
-// memory.
+// Flattened: gcc 12 would leave the second call of the operation, that of the tail, out of line, and every
+// register in memory.
 template <class V, class Op>
 [[gnu::flatten]] void stream_loop(const batch<scalar_of<V>>& b) noexcept {
     stream_loop<V, Op>(b, std::make_index_sequence<Op::inputs>(), std::make_index_sequence<Op::outputs>());

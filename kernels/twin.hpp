@@ -3,9 +3,9 @@
 
 #include "ops.hpp"
 
-// Two registers as one, twice as wide. An operation whose every step waits for the one before, such as a sine of an
-// angle of a root, leaves the processor idle, since the next register's steps are too far behind to be seen; on a twin
-// each step is done for two registers that do not wait for each other.
+// Two registers as one, twice as wide. An operation whose every step waits for the one before, such as a sine
+// of an angle of a root, leaves the processor idle, since the next register's steps are too far behind to be
+// seen; on a twin each step is done for two registers that do not wait for each other.
 
 namespace swivel {
 namespace {

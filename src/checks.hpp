@@ -77,10 +77,10 @@ bool is_array(const stream_group<T, N>& g) noexcept {
     }
 }
 
-// Tells the usual call from one that must be looked at more closely, right or wrong: streams that are contiguous and,
-// within a view, one after the other in memory, or arrays of quaternions; each view apart from the others or, in place,
-// the same as one that is read. That takes a few dozen comparisons, since the number of streams is a constant, so that
-// a call for a few elements costs little.
+// Tells the usual call from one that must be looked at more closely, right or wrong: streams that are
+// contiguous and, within a view, one after the other in memory, or arrays of quaternions; each view apart
+// from the others or, in place, the same as one that is read. That takes a few dozen comparisons, since the
+// number of streams is a constant, so that a call for a few elements costs little.
 template <class T>
 class usual_call {
 public:

@@ -28,8 +28,8 @@ double units(T got, long double want) {
 template <class T>
 constexpr T largest_angle = sizeof(T) == 4 ? T(0x1p13) : T(0x1p20);
 
-// All magnitudes, and next to multiples of pi/2, where sine or cosine is smallest. tests/exhaustive_angles_test.cpp
-// tries every float.
+// All magnitudes, and next to multiples of pi/2, where sine or cosine is smallest.
+// tests/exhaustive_angles_test.cpp tries every float.
 template <class T>
 void sincos_whole_domain() {
     constexpr std::size_t n = 60013;

@@ -26,8 +26,8 @@ double error(float got, double want) {
     return std::fabs(static_cast<double>(got) - want) / std::ldexp(1.0, exponent - 23);
 }
 
-// Calls body(first bits, count) for blocks of the floats from 0 to `last`, on all processors, and gives the largest of
-// what it returns.
+// Calls body(first bits, count) for blocks of the floats from 0 to `last`, on all processors, and gives the
+// largest of what it returns.
 template <class Body>
 double largest_over_floats(float last, Body body) {
     const std::uint64_t count = bits(last) + 1ULL,
@@ -89,7 +89,8 @@ double atan2_error(precision p) {
 }
 
 class ExhaustiveAngles : public per_isa {};
-// The results of `reproducible` are the same on all ISAs, those of `fast` on all that fuse; one of each will do.
+// The results of `reproducible` are the same on all ISAs, those of `fast` on all that fuse; one of each will
+// do.
 INSTANTIATE_TEST_SUITE_P(Isa, ExhaustiveAngles, testing::Values(usable_isas().back()), isa_name);
 
 TEST_P(ExhaustiveAngles, SincosOfEveryFloatIsWithinTwoUnits) {

@@ -116,7 +116,8 @@ TEST_P(MotorPower, SclerpGoesAlongTheScrewAndEndsInBitsDouble) { sclerp_goes_alo
 TEST_P(MotorPower, SclerpGoesTheLongWayFloat) { sclerp_goes_along_the_screw<float>(true); }
 TEST_P(MotorPower, SclerpGoesTheLongWayDouble) { sclerp_goes_along_the_screw<double>(true); }
 
-// -1 and minus a translation: the root is half a turn about the translation, and log and exp are one another's inverse.
+// -1 and minus a translation: the root is half a turn about the translation, and log and exp are one
+// another's inverse.
 template <class T>
 void minus_a_translation() {
     const vec3<T> translations[] = {

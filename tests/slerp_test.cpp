@@ -28,8 +28,8 @@ quat<T> one(bool is_slerp, const quat<T>& a, const quat<T>& b, T t, const option
     return out.get(0);
 }
 
-// The largest distance from the formula, and of the norm from 1, in units of rounding. Pairs at all distances, the short
-// way; on the long way those whose direction is known.
+// The largest distance from the formula, and of the norm from 1, in units of rounding. Pairs at all
+// distances, the short way; on the long way those whose direction is known.
 template <class T>
 struct errors {
     double distance = 0, norm = 0;
@@ -152,7 +152,8 @@ TEST_P(Nlerp, TheLongWayToItselfPassesTheHalfTurnAboutX) {
     full_turn<double>(false);
 }
 
-// About z by 90 degrees: a quarter of the way is 22.5 degrees, twice the way 180, and the long way goes backwards.
+// About z by 90 degrees: a quarter of the way is 22.5 degrees, twice the way 180, and the long way goes
+// backwards.
 TEST_P(Slerp, MovesAtConstantSpeedAndExtrapolates) {
     const auto about_z = [](double degrees) {
         const double half = degrees * 3.14159265358979323846 / 360;

@@ -28,7 +28,8 @@ exact_vec3 cross(const exact_vec3& a, const exact_vec3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// S^s T^t a by powers of the factors of b a*; the axis in the world, at a. closeness is the distance from the pole.
+// S^s T^t a by powers of the factors of b a*; the axis in the world, at a. closeness is the distance from the
+// pole.
 exact_quat exact_sterp(const exact_quat& a, exact_quat b, const exact_vec3& axis, long double s,
                        long double t, const options& o, long double& closeness) {
     exact_quat d = times(b, conjugate(a));
@@ -176,7 +177,8 @@ TEST_P(Sterp, TheTipFollowsTheGreatCircleAtConstantSpeed) {
     EXPECT_GT(largest_of_slerp, 0.3) << "slerp is expected to leave the circle, or this test cannot fail";
 }
 
-// The post prints T^t S^t, and its correction T^t S^t a; with S from S T neither ends at b, and S^t T^t lacks a.
+// The post prints T^t S^t, and its correction T^t S^t a; with S from S T neither ends at b, and S^t T^t lacks
+// a.
 TEST_P(Sterp, IsTheOneCompositionThatEndsAtB) {
     generator g(14);
     const quat<double> a = random_rotation<double>(g), b = random_rotation<double>(g);

@@ -1,12 +1,12 @@
 #ifndef SWIVEL_BENCH_METHODS_METHODS_HPP
 #define SWIVEL_BENCH_METHODS_METHODS_HPP
 
-// The methods that Dobrowolski's paper ("Swing-twist decomposition in Clifford algebra") compares, one rotation at
-// a time: its Algorithm 1, the direct method (section 2.1) and Huyghe's (section 2.2), and the form about a
-// coordinate axis of Reynolds' article ("Quaternion swing-twist decomposition").
+// The methods that Dobrowolski's paper ("Swing-twist decomposition in Clifford algebra") compares, one
+// rotation at a time: its Algorithm 1, the direct method (section 2.1) and Huyghe's (section 2.2), and the
+// form about a coordinate axis of Reynolds' article ("Quaternion swing-twist decomposition").
 //
-// Each takes a unit quaternion q and gives q = S T, the twist T about the axis and the swing S about one that is
-// perpendicular to it. They are written as they are printed, so that each breaks where its formulas do.
+// Each takes a unit quaternion q and gives q = S T, the twist T about the axis and the swing S about one that
+// is perpendicular to it. They are written as they are printed, so that each breaks where its formulas do.
 
 #include <cmath>
 
@@ -58,11 +58,11 @@ vec3<T> rotated(const quat<T>& q, const vec3<T>& a) {
 //
 // Formula    u = a.v   n = a.a   m = w n   l = sqrt(m^2 + u^2 n)   T = (u/l a, m/l)   S = q T*
 // Axis       any that is not zero, of any length
-// Source     Dobrowolski, section 9.1. Its spinor a + b e12 + c e23 + d e31 is the quaternion
-//            (w, x, y, z) = (a, -c, -d, -b), which keeps products as they are. So u changes its sign twice and
-//            p = s q~ is S = q T*.
-// Breaks     At swing pi, where l = 0: T and S are 0/0. Axes whose length to the fourth power leaves the range
-//            of the type.
+// Source     Dobrowolski, section 9.1. Its spinor a + b e12 + c e23 + d e31 is the quaternion (w, x, y, z) =
+//            (a, -c, -d, -b), which keeps products as they are. So u changes its sign twice and p = s q~ is S
+//            = q T*.
+// Breaks     At swing pi, where l = 0: T and S are 0/0. Axes whose length to the fourth power leaves the
+//            range of the type.
 template <class T>
 swing_twist<T> algorithm_1(const quat<T>& q, const vec3<T>& a) {
     const T u = a.x * q.x + a.y * q.y + a.z * q.z;
@@ -75,13 +75,14 @@ swing_twist<T> algorithm_1(const quat<T>& q, const vec3<T>& a) {
 
 // Direct method
 //
-// Formula    b = q a q*   n = a x b / |a x b|   cos(alpha) = a.b   S = (sin(alpha/2) n, cos(alpha/2))   T = S* q
+// Formula    b = q a q*   n = a x b / |a x b|   cos(alpha) = a.b   S = (sin(alpha/2) n, cos(alpha/2))   T =
+//            S* q
 // Axis       unit
 // Source     Dobrowolski, section 2.1. The twist printed there, q S*, is about b and not about a; S* q is the
 //            one that belongs to S.
-// Breaks     At swings 0 and pi, where n is 0/0. Next to them the arc cosine loses half of the digits: alpha is
-//            known to about the root of the rounding unit, and S and T with it. Where rounding makes a.b larger
-//            than 1 or smaller than -1, it gives NaN.
+// Breaks     At swings 0 and pi, where n is 0/0. Next to them the arc cosine loses half of the digits: alpha
+//            is known to about the root of the rounding unit, and S and T with it. Where rounding makes a.b
+//            larger than 1 or smaller than -1, it gives NaN.
 template <class T>
 swing_twist<T> direct(const quat<T>& q, const vec3<T>& a) {
     const vec3<T> b = rotated(q, a), c = cross(a, b);
@@ -122,7 +123,8 @@ swing_twist<T> huyghe(const quat<T>& q, const vec3<T>& a) {
 
 // Axis-aligned form, about z
 //
-// Formula    t = w^2 + z^2   s = 1 / sqrt(t)   T = (0, 0, s z, s w)   S = (s (w x - y z), s (w y + x z), 0, s t)
+// Formula    t = w^2 + z^2   s = 1 / sqrt(t)   T = (0, 0, s z, s w)   S = (s (w x - y z), s (w y + x z), 0, s
+//            t)
 // Source     Reynolds' article, quat_factor_z: t and the threshold, 2^-48 (double: 2^-106).
 // Breaks     Not at swing pi: at and below the threshold T is the identity and S is q. But that S is not
 //            perpendicular to z, and that of -q is -S where everywhere else it is S.

@@ -36,7 +36,8 @@ const vector<T>* vectors_of(const T* first) noexcept {
     return reinterpret_cast<const vector<T>*>(first);
 }
 
-// Eigen has no exponentials of quaternions: scalar code of the standard library, with the checks that it needs.
+// Eigen has no exponentials of quaternions: scalar code of the standard library, with the checks that it
+// needs.
 template <class T>
 vector<T> log_of(const quaternion<T>& q) noexcept {
     const T m = q.vec().norm();

@@ -29,8 +29,8 @@ template <class T>
 void rotate(const T* q, const T* v, T* out, std::size_t n) noexcept;
 template <class T>
 void rotate_by_one(swivel::quat<T> q, const T* v, T* out, std::size_t n) noexcept;
-// Between two rotations, a parameter for each: slerp and normalised lerp of the library, the short way; sterp by the
-// factors' angles with std::atan2, std::sin and std::cos.
+// Between two rotations, a parameter for each: slerp and normalised lerp of the library, the short way; sterp
+// by the factors' angles with std::atan2, std::sin and std::cos.
 template <class T>
 void slerp(const T* a, const T* b, const T* t, T* out, std::size_t n) noexcept;
 template <class T>
@@ -60,8 +60,8 @@ template <class T>
 void to_euler(const T* q, T* radians, std::size_t n) noexcept;
 template <class T>
 void from_axis_angle(swivel::vec3<T> a, const T* radians, T* q, std::size_t n) noexcept;
-// Dual quaternions of its quaternions, x y z w dx dy dz dw one after the other: ScLERP by the parameters of the screw,
-// after Kavan; the blend of four, with weights in four streams.
+// Dual quaternions of its quaternions, x y z w dx dy dz dw one after the other: ScLERP by the parameters of
+// the screw, after Kavan; the blend of four, with weights in four streams.
 template <class T>
 void sclerp(const T* a, const T* b, const T* t, T* out, std::size_t n) noexcept;
 template <class T>

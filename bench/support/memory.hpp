@@ -60,7 +60,8 @@ public:
     swivel::scalar_view<const T> parameters();
     swivel::factor_view<T> written_factors();
 
-    // Those of one number are turned by other rotations and moved by other unit vectors than those of another.
+    // Those of one number are turned by other rotations and moved by other unit vectors than those of
+    // another.
     swivel::motor_view<const T> motors(std::size_t number = 0);
     swivel::motor_view<T> written_motors();
 

@@ -6,8 +6,8 @@
 // align_signs: q and -q are one rotation; the one on the side of its neighbour
 //
 // Formula    q where q.n >= 0, else -q. The neighbour n is given for each element (the pose of the frame
-//            before), or it is the element before in the output (along a sequence, a curve over time); there the
-//            first element stays as it is.
+//            before), or it is the element before in the output (along a sequence, a curve over time); there
+//            the first element stays as it is.
 // Domain     Quaternions with |q| |n| in 2^-100..2^126 (double: 2^-960..2^1022), unit or not. Where all
 //            products underflow, q.n counts as 0; where one overflows, as NaN.
 // Singular   q.n = 0, either sign of zero: q stays as it is.

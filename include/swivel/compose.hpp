@@ -16,7 +16,8 @@
 // Singular   Nowhere.
 // NaN/Inf    An element with a NaN or an infinity in any component of its factors comes out as NaN in every
 //            component; no other element is affected. An infinite sign counts as its sign.
-// Accuracy   3.5 units of 2^-24 (float) or 2^-53 (double) of |S| |T|, the compact form 2, by tools/accuracy_report.
+// Accuracy   3.5 units of 2^-24 (float) or 2^-53 (double) of |S| |T|, the compact form 2, by
+//            tools/accuracy_report.
 // Identity   A factor (0, 0, 0, 1) leaves the other one as it is, exactly.
 // Aliasing   The output may be exactly an input, stream for stream in any pairing (types.hpp).
 // Cost       One pass, 8 (compact: 5) streams in and 4 out. Of the options only order and accuracy matter.

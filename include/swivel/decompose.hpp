@@ -32,10 +32,10 @@
 //            threshold; about another axis about 4/r (fast 6/r), since a.v is rounded.
 // Identity   (0, 0, 0, 1) gives T = S = (0, 0, 0, 1) to rounding, exactly in reproducible.
 // Aliasing   Outputs may be exactly inputs, stream for stream in any pairing (types.hpp).
-// Cost       One pass; 4 streams in, 3 more for an axis for each element; 8 (compact: 5) out, 1 more for signs.
-//            bench/README.md has figures.
-// Source     Dobrowolski, "Swing-twist decomposition in Clifford algebra", Algorithm 1; compact form: Reynolds,
-//            "Quaternion swing-twist decomposition".
+// Cost       One pass; 4 streams in, 3 more for an axis for each element; 8 (compact: 5) out, 1 more for
+//            signs. bench/README.md has figures.
+// Source     Dobrowolski, "Swing-twist decomposition in Clifford algebra", Algorithm 1; compact form:
+//            Reynolds, "Quaternion swing-twist decomposition".
 
 namespace swivel {
 
@@ -46,8 +46,8 @@ status decompose(const quat_view<const double>& q, const twist_axis<double>& a,
                  const quat_view<double>& swing, const quat_view<double>& twist, options = {}) noexcept;
 
 // The same with options::positive_twist, and what was flipped kept: signs is -1 where the twist is that of
-// -q, and 1 elsewhere. compose() with the same signs restores q itself instead of the rotation. (The options have
-// no default here, so that {} in their place stays unambiguous above.)
+// -q, and 1 elsewhere. compose() with the same signs restores q itself instead of the rotation. (The options
+// have no default here, so that {} in their place stays unambiguous above.)
 status decompose(const quat_view<const float>& q, const twist_axis<float>& a, const quat_view<float>& swing,
                  const quat_view<float>& twist, const scalar_view<float>& signs, options) noexcept;
 status decompose(const quat_view<const double>& q, const twist_axis<double>& a,

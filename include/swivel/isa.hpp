@@ -4,8 +4,8 @@
 // Which instruction set runs the kernels.
 //
 // The best usable ISA is chosen the first time that it is needed. The environment variable SWIVEL_ISA, read
-// at that moment, names another one (sse2, sse4, avx2, avx512, neon64); a name that is unknown or not usable is
-// ignored.
+// at that moment, names another one (sse2, sse4, avx2, avx512, neon64); a name that is unknown or not usable
+// is ignored.
 
 #include <cstdint>
 

@@ -9,13 +9,14 @@
 //
 // Common to all
 //
-// Domain     Unit motors, |r| = 1 and r.d = 0 to rounding, where nothing else is said; what is further away, finite,
-//            gives finite numbers without a meaning. Lengths of translations from 2^-60 to 2^60 (double: 2^-500
-//            to 2^500).
+// Domain     Unit motors, |r| = 1 and r.d = 0 to rounding, where nothing else is said; what is further away,
+//            finite, gives finite numbers without a meaning. Lengths of translations from 2^-60 to 2^60
+//            (double: 2^-500 to 2^500).
 // NaN/Inf    An element with a NaN or an infinity in anything that is read for it comes out as NaN in every
 //            component; no other element is affected.
-// Accuracy   In units of 2^-24 (float) and 2^-53 (double), as distances of the real parts, and of the dual parts or
-//            translations divided by the largest of 1 and the translations that were put in. Asserted by motor_test.cpp.
+// Accuracy   In units of 2^-24 (float) and 2^-53 (double), as distances of the real parts, and of the dual
+//            parts or translations divided by the largest of 1 and the translations that were put in.
+//            Asserted by motor_test.cpp.
 // Aliasing   Outputs may be exactly streams that are read (types.hpp).
 // Cost       One pass; bench/README.md has figures. Of the options only those count that are named.
 // Source     Dorst's slides 15 and 16 for roots and logarithms; Study; Kavan et al. for the blend.
@@ -77,22 +78,23 @@ status transform(const motor_view<const double>& m, const vec3_view<const double
 // square_root: half of the motion, the root whose real part has w >= 0
 //
 // Formula    s = sqrt(r) = (u, c) and eps e, 2 c e = (d - (dw / 2c) u), ew = dw / 4c: from (s + eps e)^2 = M.
-// Singular   r = -1 (to 2^-24; double: 2^-53), a motor's -M of a translation: a screw of 180 degrees about the
-//            direction of the translation, whose square it is; about x where there is no translation.
-// Accuracy   Real part 4, fast 6; dual part 2 (1 + 1/c), c = sqrt((1 + w) / 2). The square of the result is as near to M:
-//            real part 6, fast 8, dual part 2.5 (1 + 1/c).
+// Singular   r = -1 (to 2^-24; double: 2^-53), a motor's -M of a translation: a screw of 180 degrees about
+//            the direction of the translation, whose square it is; about x where there is no translation.
+// Accuracy   Real part 4, fast 6; dual part 2 (1 + 1/c), c = sqrt((1 + w) / 2). The square of the result is
+//            as near to M: real part 6, fast 8, dual part 2.5 (1 + 1/c).
 status square_root(const motor_view<const float>& m, const motor_view<float>& out, options = {}) noexcept;
 status square_root(const motor_view<const double>& m, const motor_view<double>& out, options = {}) noexcept;
 
 // log: the bivector of the motion, in two vectors
 //
-// Formula    M = exp(b + eps n): b = half of the angle in radians times the axis, 0 <= |b| <= pi; n = f e + p (1 - w f) u,
-//            with v = m u, f = atan2(m, w) / m, e = (dx, dy, dz) and p = w (u.e) - m dw. No screw is taken apart, and a
-//            pure translation is nothing special.
-// Singular   r = -1 (to 2^-24; double: 2^-53): b = pi times the direction of e, or x where e = 0, and n = -e. exp of that
-//            is M.
-// Accuracy   The exact exp of the result is M: real part 11.5, fast 13; dual part 4, times 1 + pi/m where w < 0, since near a
-//            full turn the axis is that uncertain. This library's exp of it: 14, fast 20; and 4, fast 7, times the same.
+// Formula    M = exp(b + eps n): b = half of the angle in radians times the axis, 0 <= |b| <= pi; n = f e + p
+//            (1 - w f) u, with v = m u, f = atan2(m, w) / m, e = (dx, dy, dz) and p = w (u.e) - m dw. No
+//            screw is taken apart, and a pure translation is nothing special.
+// Singular   r = -1 (to 2^-24; double: 2^-53): b = pi times the direction of e, or x where e = 0, and n = -e.
+//            exp of that is M.
+// Accuracy   The exact exp of the result is M: real part 11.5, fast 13; dual part 4, times 1 + pi/m where w <
+//            0, since near a full turn the axis is that uncertain. This library's exp of it: 14, fast 20; and
+//            4, fast 7, times the same.
 status log(const motor_view<const float>& m, const vec3_view<float>& b, const vec3_view<float>& n,
            options = {}) noexcept;
 status log(const motor_view<const double>& m, const vec3_view<double>& b, const vec3_view<double>& n,
@@ -100,10 +102,12 @@ status log(const motor_view<const double>& m, const vec3_view<double>& b, const 
 
 // exp: the motor of a bivector
 //
-// Formula    a = |b|, u = b / a, S = sin a / a: real (u sin a, cos a), dual (S n + (u.n)(cos a - S) u, -(u.n) sin a).
+// Formula    a = |b|, u = b / a, S = sin a / a: real (u sin a, cos a), dual (S n + (u.n)(cos a - S) u, -(u.n)
+//            sin a).
 // Domain     |b| <= 2^13 (double: 2^20); a larger b counts as 0.
 // Identity   exp(0, 0) is exactly the identity, exp(0, n) exactly the translation by 2 n.
-// Accuracy   For |b| <= pi the real part 7.5, fast 12; the dual part 8, fast 11, relative to the largest of 1 and |n|.
+// Accuracy   For |b| <= pi the real part 7.5, fast 12; the dual part 8, fast 11, relative to the largest of 1
+//            and |n|.
 status exp(const vec3_view<const float>& b, const vec3_view<const float>& n, const motor_view<float>& out,
            options = {}) noexcept;
 status exp(const vec3_view<const double>& b, const vec3_view<const double>& n, const motor_view<double>& out,
@@ -123,12 +127,13 @@ status power(const motor_view<const double>& m, const parameter<double>& t, cons
 
 // sclerp: between two poses on the screw from the one to the other, at constant speed
 //
-// Formula    a (a~ b)^t, by way of the one of b and -b that is nearer (options::long_way: further), outside of [0, 1] too.
+// Formula    a (a~ b)^t, by way of the one of b and -b that is nearer (options::long_way: further), outside
+//            of [0, 1] too.
 // Singular   On the long way from a pose to itself turned by nothing, as log.
-// Identity   In reproducible t = 0 gives the bits of a and t = 1 those of b (of -b where that is on the way); in fast to
-//            rounding.
-// Accuracy   For t in [-0.25, 1.25] the real part 5, fast 6.5, the dual part 4. On the long way, where the real part of a~ b
-//            has a sine of m, times 1 + pi/m, the dual part times the square of that.
+// Identity   In reproducible t = 0 gives the bits of a and t = 1 those of b (of -b where that is on the way);
+//            in fast to rounding.
+// Accuracy   For t in [-0.25, 1.25] the real part 5, fast 6.5, the dual part 4. On the long way, where the
+//            real part of a~ b has a sine of m, times 1 + pi/m, the dual part times the square of that.
 status sclerp(const motor_view<const float>& a, const motor_view<const float>& b, const parameter<float>& t,
               const motor_view<float>& out, options = {}) noexcept;
 status sclerp(const motor_view<const double>& a, const motor_view<const double>& b,
@@ -136,11 +141,11 @@ status sclerp(const motor_view<const double>& a, const motor_view<const double>&
 
 // blend: the normalised sum of motors, each times its weight (dual quaternion skinning)
 //
-// Formula    normalize(sum w_k s_k M_k), s_k = -1 where r_k . r_1 < 0, else 1. Any number of motors from 1 on, as many
-//            weights; another number, or none, is a size_mismatch or a bad_argument.
+// Formula    normalize(sum w_k s_k M_k), s_k = -1 where r_k . r_1 < 0, else 1. Any number of motors from 1
+//            on, as many weights; another number, or none, is a size_mismatch or a bad_argument.
 // Singular   A sum whose real part is 0 gives the identity.
-// Accuracy   2 + the number of motors, times the sum of the magnitudes of the weights, divided by the length of the
-//            sum's real part.
+// Accuracy   2 + the number of motors, times the sum of the magnitudes of the weights, divided by the length
+//            of the sum's real part.
 // Cost       One pass for each motor and one to normalise, over blocks that stay in the cache.
 status blend(std::span<const motor_view<const float>> motors, std::span<const parameter<float>> weights,
              const motor_view<float>& out, options = {}) noexcept;

@@ -6,8 +6,8 @@
 // sincos: sine and cosine of angles
 //
 // Formula    (sin x, cos x).
-// Domain     |x| <= 2^13 (double: 2^20) radians, 1304 (166,886) turns. A larger angle counts as 0: the result is still
-//            finite and of unit length, and the same everywhere.
+// Domain     |x| <= 2^13 (double: 2^20) radians, 1304 (166,886) turns. A larger angle counts as 0: the result
+//            is still finite and of unit length, and the same everywhere.
 // Singular   Nowhere.
 // NaN/Inf    NaN for either.
 // Accuracy   In units in the last place of the result, over the whole domain; for float every angle is tried
@@ -15,8 +15,8 @@
 // Identity   0 gives exactly (0, 1), with the sign of 0 kept.
 // Aliasing   Either output may be exactly the input (types.hpp).
 // Cost       One pass, 1 stream in and 2 out; no branch, no table.
-// Source     Reduction by parts of pi/2 after Cody and Waite; the polynomials are minimax fits (kernels/constants.hpp).
-//            No library function is equal in bits on two systems.
+// Source     Reduction by parts of pi/2 after Cody and Waite; the polynomials are minimax fits
+//            (kernels/constants.hpp). No library function is equal in bits on two systems.
 
 namespace swivel {
 

@@ -5,9 +5,9 @@
 
 // twist_angle: the angle of the twist about the axis
 //
-// Formula    2 atan2(u, w), u = a.v, in (-2 pi, 2 pi]; with positive_twist 2 atan2(u sgn w, |w|), in [-pi, pi].
-//            The bounds are those of the type: 2 pi comes out as the number nearest to it. Never by acos, which
-//            loses every angle below 5e-4 radians.
+// Formula    2 atan2(u, w), u = a.v, in (-2 pi, 2 pi]; with positive_twist 2 atan2(u sgn w, |w|), in [-pi,
+//            pi]. The bounds are those of the type: 2 pi comes out as the number nearest to it. Never by
+//            acos, which loses every angle below 5e-4 radians.
 // Domain     That of decompose (decompose.hpp).
 // Pole       That of the twist which decompose gives: 0 where the sign bit of w is clear, else 2 pi; with
 //            positive_twist 0.
@@ -17,9 +17,10 @@
 //            rounding of a.v makes it 9/r units of angle, r = sqrt(w^2 + u^2) / |q|.
 // Identity   (0, 0, 0, 1) gives 0; -q differs from q by 2 pi.
 // Aliasing   The output may be exactly one of the streams that are read (types.hpp).
-// Cost       One pass, 4 streams in (7 with an axis for each element) and 1 out, with a polynomial of its own: no
-//            library function is equal in bits on two systems.
-// Source     Reynolds, "Quaternion swing-twist decomposition"; the polynomial is a minimax fit (kernels/atan2.hpp).
+// Cost       One pass, 4 streams in (7 with an axis for each element) and 1 out, with a polynomial of its
+//            own: no library function is equal in bits on two systems.
+// Source     Reynolds, "Quaternion swing-twist decomposition"; the polynomial is a minimax fit
+//            (kernels/atan2.hpp).
 
 namespace swivel {
 

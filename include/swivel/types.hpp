@@ -38,16 +38,16 @@ enum class product : std::uint8_t {
     twist_swing   // q = T R
 };
 
-// The order of three rotations about coordinate axes. xyz is the quaternion qx qy qz: about x, then about the y
-// that this has turned, then about the z that both have turned; or about the axes as they stand, z first. It is
-// what the channels "Xrotation Yrotation Zrotation" of a BVH file mean.
+// The order of three rotations about coordinate axes. xyz is the quaternion qx qy qz: about x, then about the
+// y that this has turned, then about the z that both have turned; or about the axes as they stand, z first.
+// It is what the channels "Xrotation Yrotation Zrotation" of a BVH file mean.
 enum class euler_order : std::uint8_t { xyz, xzy, yxz, yzx, zxy, zyx };
 
 enum class precision : std::uint8_t {
     // The quickest arithmetic of the ISA: fused multiply-add, estimate of the reciprocal root, Newton steps.
     fast,
-    // Only correctly rounded + - * / and square root, in one order: the same bits on every ISA, compiler and in
-    // swivel::reference.
+    // Only correctly rounded + - * / and square root, in one order: the same bits on every ISA, compiler and
+    // in swivel::reference.
     reproducible
 };
 
@@ -123,8 +123,8 @@ struct scalar_view {
     }
 };
 
-// Matrices of 3 rows and 3 columns that turn column vectors, v' = M v; xy is row x, column y. An array of matrices
-// stored by rows has adjacent pointers and stride 9; stored by columns, the pointers are exchanged.
+// Matrices of 3 rows and 3 columns that turn column vectors, v' = M v; xy is row x, column y. An array of
+// matrices stored by rows has adjacent pointers and stride 9; stored by columns, the pointers are exchanged.
 template <class T>
 struct matrix_view {
     T *xx, *xy, *xz, *yx, *yy, *yz, *zx, *zy, *zz;
@@ -148,9 +148,9 @@ struct spinor_view {
     }
 };
 
-// Rigid motions as dual quaternions r + eps d: r = (x, y, z, w) is the rotation and d = (dx, dy, dz, dw) half of the
-// translation t times it, d = t r / 2. A point goes to r p r* + t. M and -M move alike. Motors are expected to be of
-// unit length, |r| = 1 and r.d = 0, to rounding; `normalize` brings them there.
+// Rigid motions as dual quaternions r + eps d: r = (x, y, z, w) is the rotation and d = (dx, dy, dz, dw) half
+// of the translation t times it, d = t r / 2. A point goes to r p r* + t. M and -M move alike. Motors are
+// expected to be of unit length, |r| = 1 and r.d = 0, to rounding; `normalize` brings them there.
 template <class T>
 struct motor_view {
     T *x, *y, *z, *w, *dx, *dy, *dz, *dw;
@@ -289,11 +289,12 @@ struct twist_axis {
 // options::pole_threshold: eps^2 of the element type, 2^-48 for float and 2^-106 for double.
 inline constexpr double default_pole_threshold = -1.0;
 
-// Where the twist axis of sterp is given: in the world at the first of the two rotations, or in the body that they turn.
+// Where the twist axis of sterp is given: in the world at the first of the two rotations, or in the body that
+// they turn.
 enum class frame : std::uint8_t { world, body };
 
-// How sterp moves swing and twist: at constant speed, or as the normalised mean of their ends, which is quicker to
-// compute and slower to move at both ends.
+// How sterp moves swing and twist: at constant speed, or as the normalised mean of their ends, which is
+// quicker to compute and slower to move at both ends.
 enum class flavour : std::uint8_t { slerp, nlerp };
 
 // Each operation looks at those that its header names.

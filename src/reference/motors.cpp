@@ -161,8 +161,8 @@ motor<T> square_root_of(const motor<T>& a) {
     return poisoned(motor<T>{r, d}, zero_or_nan(a.d));
 }
 
-// m, w: sine and cosine of half the angle; u: the direction of the axis; p: half of the way along it; across: m times
-// the moment of the axis.
+// m, w: sine and cosine of half the angle; u: the direction of the axis; p: half of the way along it; across:
+// m times the moment of the axis.
 template <class T>
 struct screw {
     T m, w, angle, p;

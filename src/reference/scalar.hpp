@@ -1,8 +1,8 @@
 #ifndef SWIVEL_SRC_REFERENCE_SCALAR_HPP
 #define SWIVEL_SRC_REFERENCE_SCALAR_HPP
 
-// The formulas that several operations share, for one element. The order of additions is part of the contract, since
-// precision::reproducible promises the same bits; contraction is off for the whole library.
+// The formulas that several operations share, for one element. The order of additions is part of the
+// contract, since precision::reproducible promises the same bits; contraction is off for the whole library.
 
 #include <bit>
 #include <cmath>

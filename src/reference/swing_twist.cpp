@@ -4,7 +4,8 @@
 #include "scalar.hpp"
 #include "swivel/reference.hpp"
 
-// decompose, twist, swing, twist_angle and compose, one element at a time, the axis and the product spelled out.
+// decompose, twist, swing, twist_angle and compose, one element at a time, the axis and the product spelled
+// out.
 
 namespace swivel::reference {
 

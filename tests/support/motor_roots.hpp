@@ -1,8 +1,8 @@
 #ifndef SWIVEL_TESTS_SUPPORT_MOTOR_ROOTS_HPP
 #define SWIVEL_TESTS_SUPPORT_MOTOR_ROOTS_HPP
 
-// That the square of a motor's root, and the exponential of its logarithm, are the motor; for a few thousand motors, and in
-// the slow tests for a million.
+// That the square of a motor's root, and the exponential of its logarithm, are the motor; for a few thousand
+// motors, and in the slow tests for a million.
 
 #include <gtest/gtest.h>
 

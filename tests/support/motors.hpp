@@ -1,8 +1,8 @@
 #ifndef SWIVEL_TESTS_SUPPORT_MOTORS_HPP
 #define SWIVEL_TESTS_SUPPORT_MOTORS_HPP
 
-// Motors to test with, and rigid motions in long double as a rotation and a translation, taken apart as Chasles does: no
-// dual quaternion takes part in the judging.
+// Motors to test with, and rigid motions in long double as a rotation and a translation, taken apart as
+// Chasles does: no dual quaternion takes part in the judging.
 
 #include "support/buffers.hpp"
 #include "support/interpolation.hpp"
@@ -67,8 +67,8 @@ inline motion power(const motion& m, long double s) {
     return {{std::sin(part) * u.x, std::sin(part) * u.y, std::sin(part) * u.z, std::cos(part)}, t};
 }
 
-// How far the parts of a dual quaternion are from those of the motion, in units of rounding; that of the dual part, as
-// far as the size of the translations is not to blame.
+// How far the parts of a dual quaternion are from those of the motion, in units of rounding; that of the dual
+// part, as far as the size of the translations is not to blame.
 struct motor_error {
     double real, dual;
 };

@@ -1,8 +1,8 @@
 #ifndef SWIVEL_TESTS_SUPPORT_OPERATIONS_HPP
 #define SWIVEL_TESTS_SUPPORT_OPERATIONS_HPP
 
-// Every public operation in every form, for the tests of what the contract promises of all. Each family is listed in a
-// file of tests/operations/.
+// Every public operation in every form, for the tests of what the contract promises of all. Each family is
+// listed in a file of tests/operations/.
 
 #include <functional>
 #include <string>
@@ -42,8 +42,9 @@ struct workspace {
 
     std::size_t size() const { return q.size(); }
 
-    // Every third element a corner, the others random: rotations, factors that belong to them, directions of any
-    // length, angles of a few turns, parameters in and a little out of [0, 1], motors with translations of any length.
+    // Every third element a corner, the others random: rotations, factors that belong to them, directions of
+    // any length, angles of a few turns, parameters in and a little out of [0, 1], motors with translations
+    // of any length.
     void fill(generator& g);
 
 private:

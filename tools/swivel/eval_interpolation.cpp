@@ -118,8 +118,8 @@ vector axis_at(const swivel::twist_axis<T>& axis, std::size_t row) {
     return {v.x / n, v.y / n, v.z / n};
 }
 
-// Where the axis points to, and how far that is from the great circle between where it points to at a and at b; 0 where
-// these two make no circle.
+// Where the axis points to, and how far that is from the great circle between where it points to at a and at
+// b; 0 where these two make no circle.
 template <class T>
 void write_tips(const eval_settings& settings, const swivel::twist_axis<T>& axis, const eval_block<T>& in,
                 const eval_block<T>& out) {

@@ -1,8 +1,8 @@
 #ifndef SWIVEL_COMMAND_EVAL_OPERATION_HPP
 #define SWIVEL_COMMAND_EVAL_OPERATION_HPP
 
-// The operations of `swivel eval`. One more is a definition in the file of its family, a declaration below and a row
-// in eval_operations.cpp.
+// The operations of `swivel eval`. One more is a definition in the file of its family, a declaration below
+// and a row in eval_operations.cpp.
 
 #include <CLI/CLI.hpp>
 #include <cstddef>
