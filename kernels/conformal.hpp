@@ -29,7 +29,7 @@ constexpr int place_of(unsigned set) noexcept {
 
 // Whether the product of two blades is minus the blade of the vectors that only one of them has.
 constexpr bool negative_product(unsigned a, unsigned b) noexcept {
-    int changes = (a & b) >> 4;
+    int changes = static_cast<int>((a & b) >> 4);
     for (unsigned higher = a >> 1; higher != 0; higher >>= 1) changes += __builtin_popcount(higher & b);
     return changes % 2 != 0;
 }

@@ -109,7 +109,7 @@ void normalize_projects(int exponents) {
     generator g(4);
     for (std::size_t i = 0; i < n; ++i) {
         const T length =
-            static_cast<T>(std::ldexp(uniform(g, 1, 2), static_cast<int>(g() % (2 * exponents)) - exponents));
+            static_cast<T>(std::ldexp(uniform(g, 1, 2), static_cast<int>(uniform(g, -exponents, exponents))));
         const T along = static_cast<T>(uniform(g, -2, 2));
         const dual_quaternion<T> m = w.a.get(i);
         const auto off = [&](T r, T d) { return length * (d + along * r); };
