@@ -14,7 +14,7 @@
 // Identity   (1, 0) gives 0.
 // Aliasing   The output may be exactly either input (types.hpp).
 // Cost       One pass, 2 streams in and 1 out; one division, no branch, no table.
-// Source     A minimax polynomial on [0, tan(pi/8)] (kernels/constants.hpp).
+// Source     A minimax polynomial on [0, 1] (kernels/constants.hpp).
 
 namespace swivel {
 

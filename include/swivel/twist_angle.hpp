@@ -14,7 +14,7 @@
 // NaN/Inf    As in decompose.
 // Accuracy   In units of 2^-24 (float) and 2^-53 (double), by tools/accuracy_report and twist_angle_test.cpp:
 //            about a coordinate axis 4 (fast 5) relative to the angle, however small. About another axis the
-//            rounding of a.v makes it 9/r units of angle, r = sqrt(w^2 + u^2) / |q|.
+//            rounding of a.v makes it 10/r units of angle, r = sqrt(w^2 + u^2) / |q|.
 // Identity   (0, 0, 0, 1) gives 0; -q differs from q by 2 pi.
 // Aliasing   The output may be exactly one of the streams that are read (types.hpp).
 // Cost       One pass, 4 streams in (7 with an axis for each element) and 1 out, with a polynomial of its
