@@ -95,17 +95,6 @@ inline void conformal_reverse(const V* c, V* out) noexcept {
     (std::make_integer_sequence<int, no_more_blades>());
 }
 
-// A NaN where one of the N numbers is not finite, otherwise 0.
-template <int N, class V>
-inline V zero_or_nan(const V* numbers) noexcept {
-    V sum(scalar_of<V>(0));
-    [&]<int... K>(std::integer_sequence<int, K...>) __attribute__((always_inline)) {
-        ((sum = V(scalar_of<V>(0)) * numbers[K] + sum), ...);
-    }
-    (std::make_integer_sequence<int, N>());
-    return sum;
-}
-
 // Streams in: 16 of a, 16 of b. Out: 16.
 template <precision_index P, class V>
 struct conformal_multiply_op {

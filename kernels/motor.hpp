@@ -25,12 +25,6 @@ inline rotor<V> sum_of(const rotor<V>& a, const rotor<V>& b) noexcept {
     return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
 }
 
-template <class V>
-inline rotor<V> reversed(const rotor<V>& q) noexcept {
-    const V minus(scalar_of<V>(-0.0));
-    return {q.x ^ minus, q.y ^ minus, q.z ^ minus, q.w};
-}
-
 template <precision_index P, class V>
 inline motor<V> product_of(const motor<V>& a, const motor<V>& b) noexcept {
     return {hamilton<P>(a.r, b.r), sum_of(hamilton<P>(a.r, b.d), hamilton<P>(a.d, b.r))};
@@ -47,14 +41,6 @@ template <class V>
 inline motor<V> poisoned(const motor<V>& m, V poison) noexcept {
     const rotor<V> p{poison, poison, poison, poison};
     return {sum_of(m.r, p), sum_of(m.d, p)};
-}
-
-// 0, or NaN where a component is not finite.
-template <precision_index P, class V>
-inline V poison_of(const rotor<V>& q) noexcept {
-    using M = arithmetic<P>;
-    const V zero(scalar_of<V>(0));
-    return M::multiply_add(zero, q.w, M::multiply_add(zero, q.z, M::multiply_add(zero, q.y, zero * q.x)));
 }
 
 // The dual part of a rotation q that is followed by a translation t.
@@ -123,10 +109,9 @@ struct motor_normalize_op {
 
     explicit motor_normalize_op(const T*) noexcept {}
 
-    void operator()(const V* in, V* out) const noexcept { put(normalized_motor(motor_from(in)), out); }
-
-    static motor<V> normalized_motor(const motor<V>& m) noexcept {
+    void operator()(const V* in, V* out) const noexcept {
         const V zero(T(0)), one(T(1));
+        const motor<V> m = motor_from(in);
         const V largest = larger(largest_magnitude(m.r.x, m.r.y, m.r.z), magnitude(m.r.w));
         const mask_of<V> nothing = largest == zero;
         const V scale = select(nothing, zero, reciprocal_power_of_two(largest));
@@ -138,7 +123,7 @@ struct motor_normalize_op {
         const V along = dot_of<P>(r, d);
         d = {M::negate_multiply_add(along, r.x, d.x), M::negate_multiply_add(along, r.y, d.y),
              M::negate_multiply_add(along, r.z, d.z), M::negate_multiply_add(along, r.w, d.w)};
-        return poisoned(motor<V>{r, d}, poison_of<P>(m.d));
+        put(poisoned(motor<V>{r, d}, zero_or_nan<4>(in + 4)), out);
     }
 };
 

@@ -99,28 +99,22 @@ struct motor_square_root_op {
     explicit motor_square_root_op(const T*) noexcept {}
 
     void operator()(const V* in, V* out) const noexcept {
-        const V zero(T(0)), half(T(0.5)), one(T(1)), floor(constants<T>::pole_floor);
+        const V zero(T(0)), half(T(0.5)), one(T(1));
         const motor<V> a = motor_from(in);
         const mask_of<V> pole = is_minus_one(a.r);
         const V real[4] = {select(pole, a.d.x, a.r.x), select(pole, a.d.y, a.r.y), select(pole, a.d.z, a.r.z),
                            a.r.w};
         const polar_form<P, V> q = polar<P>(real, 1);
-        // As the root of a quaternion: |r| + |w| and m, or for negative w m and |r| + |w|, are in proportion
-        // to cosine and sine of the half.
-        const V m = select(pole, zero, q.m), squared = m * m;
-        const V sum =
-            root_divisor<P, V>(larger(floor, M::multiply_add(q.w, q.w, squared))).root() + magnitude(q.w);
-        const root_divisor<P, V> length(larger(floor, M::multiply_add(sum, sum, squared)));
-        const mask_of<V> negative = q.w < zero;
-        V u[3];
-        q.along(length.divide(select(negative, sum, m)), u);
-        const rotor<V> r{u[0], u[1], u[2], length.divide(select(negative, m, sum))};
+        V u[3], sine, cosine;
+        half_of<P>(select(pole, zero, q.m), q.w, sine, cosine);
+        q.along(sine, u);
+        const rotor<V> r{u[0], u[1], u[2], cosine};
         const V inverse = quotient(half, select(pole, one, r.w)), p = a.d.w * inverse;
         const rotor<V> d{inverse * M::negate_multiply_add(p, r.x, a.d.x),
                          inverse * M::negate_multiply_add(p, r.y, a.d.y),
                          inverse * M::negate_multiply_add(p, r.z, a.d.z), half * p};
         const rotor<V> at_pole{zero, zero, zero, half * q.m};
-        put(poisoned(motor<V>{r, either(pole, at_pole, d)}, poison_of<P>(a.d)), out);
+        put(poisoned(motor<V>{r, either(pole, at_pole, d)}, zero_or_nan<4>(in + 4)), out);
     }
 };
 
@@ -161,12 +155,11 @@ struct motor_exp_op {
         vector3<V> b{in[0], in[1], in[2]};
         const vector3<V> n{in[3], in[4], in[5]};
         // The square of a large number overflows, which must not look like an infinity.
-        const V zero_or_nan = M::multiply_add(zero, b.z, M::multiply_add(zero, b.y, zero * b.x));
+        const V nothing = zero_or_nan<3>(in);
         V squared = dot_of<P>(b, b);
         const mask_of<V> beyond = squared > largest * largest;
-        b = {select(beyond, zero_or_nan, b.x), select(beyond, zero_or_nan, b.y),
-             select(beyond, zero_or_nan, b.z)};
-        squared = select(beyond, zero_or_nan, squared);
+        b = {select(beyond, nothing, b.x), select(beyond, nothing, b.y), select(beyond, nothing, b.z)};
+        squared = select(beyond, nothing, squared);
         // Below the floor the sine is the angle, whatever that is.
         const root_divisor<P, V> angle(larger(V(constants<T>::pole_floor), squared));
         V sine, cosine;
@@ -174,12 +167,11 @@ struct motor_exp_op {
         const V shape = angle.divide(sine);
         const vector3<V> u{angle.divide(b.x), angle.divide(b.y), angle.divide(b.z)};
         const V along = dot_of<P>(u, n), on_u = along * (cosine - shape);
-        const V poison = M::multiply_add(zero, n.z, M::multiply_add(zero, n.y, zero * n.x)) + zero_or_nan;
         put(poisoned(
                 motor<V>{{shape * b.x, shape * b.y, shape * b.z, cosine},
                          {M::multiply_add(shape, n.x, on_u * u.x), M::multiply_add(shape, n.y, on_u * u.y),
                           M::multiply_add(shape, n.z, on_u * u.z), zero - along * sine}},
-                poison),
+                zero_or_nan<6>(in)),
             out);
     }
 };

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 #include <xsimd/xsimd.hpp>
 
 namespace swivel {
@@ -329,6 +330,17 @@ struct arithmetic {
 template <class M, class V>
 inline V nan_for_infinity(V a) noexcept {
     return M::multiply_add(V(scalar_of<V>(0)), a, a);
+}
+
+// 0, or NaN where one of the N numbers is not finite.
+template <int N, class V>
+inline V zero_or_nan(const V* numbers) noexcept {
+    V sum(scalar_of<V>(0));
+    [&]<int... K>(std::integer_sequence<int, K...>) __attribute__((always_inline)) {
+        ((sum = V(scalar_of<V>(0)) * numbers[K] + sum), ...);
+    }
+    (std::make_integer_sequence<int, N>());
+    return sum;
 }
 
 #if defined(__AVX2__) && !defined(__AVX512F__)

@@ -41,6 +41,19 @@ inline polar_form<P, V> polar(const V* q, scalar_of<V> by) noexcept {
             arithmetic<P>::multiply_add(zero, magnitude(q[3]), V(by) * q[3]), v, length, scalar_only};
 }
 
+// Cosine and sine of half of the angle with the sine m >= 0 and the cosine w, times any length: |w| + sqrt(w^2 + m^2)
+// and m are in proportion to them, or for negative w to the sine and the cosine. Nothing cancels near -1.
+template <precision_index P, class V>
+inline void half_of(V m, V w, V& sine, V& cosine) noexcept {
+    using M = arithmetic<P>;
+    const V floor(constants<scalar_of<V>>::pole_floor), squared = m * m;
+    const V sum = root_divisor<P, V>(larger(floor, M::multiply_add(w, w, squared))).root() + magnitude(w);
+    const root_divisor<P, V> length(larger(floor, M::multiply_add(sum, sum, squared)));
+    const mask_of<V> negative = w < V(scalar_of<V>(0));
+    sine = length.divide(select(negative, sum, m));
+    cosine = length.divide(select(negative, m, sum));
+}
+
 }  // namespace
 }  // namespace swivel
 

@@ -36,6 +36,12 @@ inline rotor<V> hamilton(const rotor<V>& l, const rotor<V>& r) noexcept {
 }
 
 template <class V>
+inline rotor<V> reversed(const rotor<V>& q) noexcept {
+    const V minus(scalar_of<V>(-0.0));
+    return {q.x ^ minus, q.y ^ minus, q.z ^ minus, q.w};
+}
+
+template <class V>
 inline rotor<V> flipped(const rotor<V>& q, V sign) noexcept {
     return {q.x ^ sign, q.y ^ sign, q.z ^ sign, q.w ^ sign};
 }

@@ -68,8 +68,7 @@ struct sterp_op : Form {
         const V zero(T(0)), one(T(1));
         const rotor<V> a{in[0], in[1], in[2], in[3]}, b{in[4], in[5], in[6], in[7]};
         const V s = in[inputs - 2], t = in[inputs - 1];
-        const V minus(T(-0.0));
-        const rotor<V> back{a.x ^ minus, a.y ^ minus, a.z ^ minus, a.w};
+        const rotor<V> back = reversed(a);
         rotor<V> d = Body ? hamilton<P>(back, b) : hamilton<P>(b, back);
         // The sign of a zero would choose the way of the twist.
         d.w = d.w + zero;

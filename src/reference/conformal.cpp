@@ -8,41 +8,33 @@ namespace swivel::reference {
 
 namespace {
 
-template <class T>
-using motor8 = std::array<T, 8>;
-
-template <class T>
-motor8<T> motor_at(const motor_view<const T>& v, std::size_t i) {
-    const auto at = [&](const T* first) { return *element(first, i, v.stride); };
-    return {at(v.x), at(v.y), at(v.z), at(v.w), at(v.dx), at(v.dy), at(v.dz), at(v.dw)};
-}
-
 // w - I3 (x, y, z) - (dx, dy, dz) ni - dw I3 ni.
 template <class T>
-even<T> from_motor_of(const motor8<T>& m) {
-    const T bad = zero_or_nan(m);
+even<T> from_motor_of(const motor<T>& m) {
+    const quat<T>&r = m.r, &d = m.d;
+    const T bad = zero_or_nan(std::array{r.x, r.y, r.z, r.w, d.x, d.y, d.z, d.w});
     even<T> c;
     c.fill(bad);
-    c[0] = bad + m[3];
-    c[e23] = bad - m[0];
-    c[e13] = bad + m[1];
-    c[e12] = bad - m[2];
-    c[e14] = c[e15] = bad - m[4];
-    c[e24] = c[e25] = bad - m[5];
-    c[e34] = c[e35] = bad - m[6];
-    c[e1234] = c[e1235] = bad - m[7];
+    c[0] = bad + r.w;
+    c[e23] = bad - r.x;
+    c[e13] = bad + r.y;
+    c[e12] = bad - r.z;
+    c[e14] = c[e15] = bad - d.x;
+    c[e24] = c[e25] = bad - d.y;
+    c[e34] = c[e35] = bad - d.z;
+    c[e1234] = c[e1235] = bad - d.w;
     return c;
 }
 
 template <class T>
 even<T> from_rotation_of(const quat<T>& q) {
-    return from_motor_of(motor8<T>{q.x, q.y, q.z, q.w, 0, 0, 0, 0});
+    return from_motor_of(motor<T>{q, {0, 0, 0, 0}});
 }
 
 // 1 - t ni / 2.
 template <class T>
 even<T> from_translation_of(const vec3<T>& t) {
-    return from_motor_of(motor8<T>{0, 0, 0, 1, T(0.5) * t.x, T(0.5) * t.y, T(0.5) * t.z, 0});
+    return from_motor_of(motor<T>{{0, 0, 0, 1}, {T(0.5) * t.x, T(0.5) * t.y, T(0.5) * t.z, 0}});
 }
 
 // cosh(L/2) + sinh(L/2) e45 with the factor exp(-L).
@@ -115,7 +107,7 @@ status reverse_all(const conformal_view<const T>& c, const conformal_view<T>& ou
 template <class T>
 status from_motor_all(const motor_view<const T>& m, const conformal_view<T>& out, const options& o) {
     return for_each<T>([&] { return check(o); }, std::tuple(group_of(m)), std::tuple(group_of(out)),
-                       [&](std::size_t i) { write(out, i, from_motor_of(motor_at(m, i))); });
+                       [&](std::size_t i) { write(out, i, from_motor_of(read(m, i))); });
 }
 
 template <class T>

@@ -115,14 +115,6 @@ void write(const bivector_view<T>& v, std::size_t i, const bivector<T>& b) {
     for (std::size_t k = 0; k < 10; ++k) *element(v.blade[k], i, v.stride) = b[k];
 }
 
-// A NaN where one of the numbers is not finite, otherwise 0.
-template <class T, std::size_t N>
-T zero_or_nan(const std::array<T, N>& numbers) {
-    T sum = 0;
-    for (const T a : numbers) sum = T(0) * a + sum;
-    return sum;
-}
-
 }  // namespace swivel::reference
 
 #endif

@@ -39,6 +39,30 @@ void write(const vec3_view<T>& v, std::size_t i, const vec3<T>& a) {
 }
 
 template <class T>
+struct motor {
+    quat<T> r, d;
+};
+
+template <class T>
+quat_view<T> real_part(const motor_view<T>& m) {
+    return {m.x, m.y, m.z, m.w, m.size, m.stride};
+}
+template <class T>
+quat_view<T> dual_part(const motor_view<T>& m) {
+    return {m.dx, m.dy, m.dz, m.dw, m.size, m.stride};
+}
+
+template <class T>
+motor<T> read(const motor_view<const T>& m, std::size_t i) {
+    return {read(real_part(m), i), read(dual_part(m), i)};
+}
+template <class T>
+void write(const motor_view<T>& out, std::size_t i, const motor<T>& m) {
+    write(real_part(out), i, m.r);
+    write(dual_part(out), i, m.d);
+}
+
+template <class T>
 T read(const scalar_view<const T>& v, std::size_t i) {
     return *element(v.data, i, v.stride);
 }

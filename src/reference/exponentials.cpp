@@ -10,18 +10,11 @@ namespace swivel::reference {
 namespace {
 
 template <class T>
-quat<T> joined(const vec3<T>& v, T w) {
-    return {v.x, v.y, v.z, w};
-}
-
-template <class T>
 quat<T> square_root_of(const quat<T>& q) {
     const polar_form<T> p = polar(q, T(0.5));
     const T scale = scale_for({p.m, std::fabs(p.w)});
-    const T m = p.m * scale, w = p.m == 0 && p.w == 0 ? T(1) : p.w * scale, squared = m * m;
-    const T sum = std::sqrt(w * w + squared) + std::fabs(w), length = std::sqrt(sum * sum + squared);
-    if (w < 0) return joined(p.along(sum / length), m / length);
-    return joined(p.along(m / length), sum / length);
+    const sine_cosine<T> h = half_of(p.m * scale, p.m == 0 && p.w == 0 ? T(1) : p.w * scale);
+    return joined(p.along(h.sine), h.cosine);
 }
 
 template <class T>

@@ -10,30 +10,6 @@ namespace swivel::reference {
 namespace {
 
 template <class T>
-struct motor {
-    quat<T> r, d;
-};
-
-template <class T>
-quat_view<T> real_part(const motor_view<T>& m) {
-    return {m.x, m.y, m.z, m.w, m.size, m.stride};
-}
-template <class T>
-quat_view<T> dual_part(const motor_view<T>& m) {
-    return {m.dx, m.dy, m.dz, m.dw, m.size, m.stride};
-}
-
-template <class T>
-motor<T> read(const motor_view<const T>& m, std::size_t i) {
-    return {reference::read(real_part(m), i), reference::read(dual_part(m), i)};
-}
-template <class T>
-void write(const motor_view<T>& out, std::size_t i, const motor<T>& m) {
-    reference::write(real_part(out), i, m.r);
-    reference::write(dual_part(out), i, m.d);
-}
-
-template <class T>
 quat<T> plus(const quat<T>& a, const quat<T>& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
 }
@@ -41,25 +17,6 @@ template <class T>
 quat<T> each(T a) {
     return {a, a, a, a};
 }
-template <class T>
-quat<T> reversed(const quat<T>& q) {
-    return {-q.x, -q.y, -q.z, q.w};
-}
-template <class T>
-vec3<T> vector_part(const quat<T>& q) {
-    return {q.x, q.y, q.z};
-}
-template <class T>
-quat<T> joined(const vec3<T>& v, T w) {
-    return {v.x, v.y, v.z, w};
-}
-
-// 0, or NaN where a component is not finite.
-template <class T>
-T zero_or_nan(const quat<T>& q) {
-    return T(0) * q.w + (T(0) * q.z + (T(0) * q.y + T(0) * q.x));
-}
-
 // NaN in all where poison is not 0.
 template <class T>
 motor<T> poisoned(const motor<T>& m, T poison) {
@@ -90,7 +47,7 @@ motor<T> normalized_motor(const motor<T>& m) {
     d = {d.x / length, d.y / length, d.z / length, d.w / length};
     const T along = dot(r, d);
     d = {d.x - along * r.x, d.y - along * r.y, d.z - along * r.z, d.w - along * r.w};
-    return poisoned(motor<T>{r, d}, zero_or_nan(m.d));
+    return poisoned(motor<T>{r, d}, zero_or_nan(std::array{m.d.x, m.d.y, m.d.z, m.d.w}));
 }
 
 // t q / 2
@@ -147,18 +104,15 @@ template <class T>
 motor<T> square_root_of(const motor<T>& a) {
     const bool minus_one = is_minus_one(a.r);
     const polar_form<T> q = polar_of(a, minus_one);
-    const T m = minus_one ? T(0) : q.m, squared = m * m;
-    const T sum = std::sqrt(floored(q.w * q.w + squared)) + std::fabs(q.w);
-    const T length = std::sqrt(floored(sum * sum + squared));
-    const T sine = (q.w < 0 ? sum : m) / length, cosine = (q.w < 0 ? m : sum) / length;
-    const quat<T> r = joined(q.along(sine), cosine);
+    const sine_cosine<T> h = half_of(minus_one ? T(0) : q.m, q.w);
+    const quat<T> r = joined(q.along(h.sine), h.cosine);
     quat<T> d{0, 0, 0, T(0.5) * q.m};
     if (!minus_one) {
-        const T inverse = T(0.5) / cosine, p = a.d.w * inverse;
+        const T inverse = T(0.5) / h.cosine, p = a.d.w * inverse;
         d = {inverse * (a.d.x - p * r.x), inverse * (a.d.y - p * r.y), inverse * (a.d.z - p * r.z),
              T(0.5) * p};
     }
-    return poisoned(motor<T>{r, d}, zero_or_nan(a.d));
+    return poisoned(motor<T>{r, d}, zero_or_nan(std::array{a.d.x, a.d.y, a.d.z, a.d.w}));
 }
 
 // m, w: sine and cosine of half the angle; u: the direction of the axis; p: half of the way along it; across:
@@ -228,12 +182,12 @@ motor_bivector<T> log_of(const motor<T>& m) {
 template <class T>
 motor<T> exp_of(vec3<T> b, const vec3<T>& n) {
     using C = constants<T>;
-    const auto nothing = [](const vec3<T>& a) { return T(0) * a.z + (T(0) * a.y + T(0) * a.x); };
-    const T zero = nothing(b);
+    const T nothing = zero_or_nan(std::array{b.x, b.y, b.z});
+    const T poison = zero_or_nan(std::array{b.x, b.y, b.z, n.x, n.y, n.z});
     T squared = dot(b, b);
     if (squared > C::largest_angle * C::largest_angle) {
-        b = {zero, zero, zero};
-        squared = zero;
+        b = {nothing, nothing, nothing};
+        squared = nothing;
     }
     const T angle = std::sqrt(floored(squared));
     const sine_cosine<T> f = sincos_of(angle);
@@ -243,7 +197,7 @@ motor<T> exp_of(vec3<T> b, const vec3<T>& n) {
     return poisoned(motor<T>{{shape * b.x, shape * b.y, shape * b.z, f.cosine},
                              {shape * n.x + on_u * u.x, shape * n.y + on_u * u.y, shape * n.z + on_u * u.z,
                               0 - along * f.sine}},
-                    nothing(n) + zero);
+                    poison);
 }
 
 template <class T>
@@ -261,11 +215,11 @@ motor<T> sclerp_of(const motor<T>& a, const motor<T>& b, T t, bool long_way) {
 template <class T>
 motor<T> blend_of(std::span<const motor_view<const T>> motors, std::span<const parameter<T>> weights,
                   std::size_t i) {
-    const quat<T> first = reference::read(real_part(motors[0]), i);
+    const quat<T> first = read(real_part(motors[0]), i);
     motor<T> sum{each(T(0)), each(T(0))};
     for (std::size_t k = 0; k < motors.size(); ++k) {
         const motor<T> m = read(motors[k], i);
-        const T given = reference::read(weights[k], i), weight = dot(first, m.r) < 0 ? -given : given;
+        const T given = read(weights[k], i), weight = dot(first, m.r) < 0 ? -given : given;
         const auto times = [&](const quat<T>& q) {
             return quat<T>{weight * q.x, weight * q.y, weight * q.z, weight * q.w};
         };
@@ -321,9 +275,9 @@ status decompose_all(const motor_view<const T>& m, const twist_axis<T>& a, const
                         quat_view<T>{&s.x, &s.y, &s.z, &s.w, 1}, quat_view<T>{&t.x, &t.y, &t.z, &t.w, 1}, o);
         const vec3<T> moves = translation_of(in);
         const T poison = T(0) * s.w + T(0) * moves.x;
-        reference::write(swing, i, plus(s, each(poison)));
-        reference::write(twist, i, plus(t, each(poison)));
-        reference::write(translation, i, vec3<T>{moves.x + poison, moves.y + poison, moves.z + poison});
+        write(swing, i, plus(s, each(poison)));
+        write(twist, i, plus(t, each(poison)));
+        write(translation, i, vec3<T>{moves.x + poison, moves.y + poison, moves.z + poison});
     }
     return status::ok;
 }
@@ -335,8 +289,8 @@ status compose_all(const quat_view<const T>& swing, const quat_view<const T>& tw
     const quat_view<const T>&left = swing_left ? swing : twist, &right = swing_left ? twist : swing;
     return plain<T>(o, std::tuple(group_of(left), group_of(right), group_of(translation)),
                     std::tuple(group_of(out)), [&](std::size_t i) {
-                        const quat<T> q = hamilton(reference::read(left, i), reference::read(right, i));
-                        const quat<T> d = moved(q, reference::read(translation, i));
+                        const quat<T> q = hamilton(read(left, i), read(right, i));
+                        const quat<T> d = moved(q, read(translation, i));
                         write(out, i, poisoned(motor<T>{q, d}, T(0) * d.y + T(0) * d.x));
                     });
 }
@@ -376,16 +330,14 @@ status normalize(const motor_view<const double>& m, const motor_view<double>& ou
 status from_rotation_translation(const quat_view<const float>& q, const vec3_view<const float>& t,
                                  const motor_view<float>& out, options o) noexcept {
     return plain<float>(
-        o, std::tuple(group_of(q), group_of(t)), std::tuple(group_of(out)), [&](std::size_t i) {
-            write(out, i, from_rotation_translation_of(reference::read(q, i), reference::read(t, i)));
-        });
+        o, std::tuple(group_of(q), group_of(t)), std::tuple(group_of(out)),
+        [&](std::size_t i) { write(out, i, from_rotation_translation_of(read(q, i), read(t, i))); });
 }
 status from_rotation_translation(const quat_view<const double>& q, const vec3_view<const double>& t,
                                  const motor_view<double>& out, options o) noexcept {
     return plain<double>(
-        o, std::tuple(group_of(q), group_of(t)), std::tuple(group_of(out)), [&](std::size_t i) {
-            write(out, i, from_rotation_translation_of(reference::read(q, i), reference::read(t, i)));
-        });
+        o, std::tuple(group_of(q), group_of(t)), std::tuple(group_of(out)),
+        [&](std::size_t i) { write(out, i, from_rotation_translation_of(read(q, i), read(t, i))); });
 }
 status to_rotation_translation(const motor_view<const float>& m, const quat_view<float>& q,
                                const vec3_view<float>& t, options o) noexcept {
@@ -393,34 +345,30 @@ status to_rotation_translation(const motor_view<const float>& m, const quat_view
         const motor<float> in = read(m, i);
         const vec3<float> moves = translation_of(in);
         const float poison = 0 * moves.x;
-        reference::write(q, i, poison == 0 ? in.r : each(poison));
-        reference::write(t, i, vec3<float>{moves.x + poison, moves.y + poison, moves.z + poison});
+        write(q, i, poison == 0 ? in.r : each(poison));
+        write(t, i, vec3<float>{moves.x + poison, moves.y + poison, moves.z + poison});
     });
 }
 status to_rotation_translation(const motor_view<const double>& m, const quat_view<double>& q,
                                const vec3_view<double>& t, options o) noexcept {
-    return plain<double>(
-        o, std::tuple(group_of(m)), std::tuple(group_of(q), group_of(t)), [&](std::size_t i) {
-            const motor<double> in = read(m, i);
-            const vec3<double> moves = translation_of(in);
-            const double poison = 0 * moves.x;
-            reference::write(q, i, poison == 0 ? in.r : each(poison));
-            reference::write(t, i, vec3<double>{moves.x + poison, moves.y + poison, moves.z + poison});
-        });
+    return plain<double>(o, std::tuple(group_of(m)), std::tuple(group_of(q), group_of(t)),
+                         [&](std::size_t i) {
+                             const motor<double> in = read(m, i);
+                             const vec3<double> moves = translation_of(in);
+                             const double poison = 0 * moves.x;
+                             write(q, i, poison == 0 ? in.r : each(poison));
+                             write(t, i, vec3<double>{moves.x + poison, moves.y + poison, moves.z + poison});
+                         });
 }
 status transform(const motor_view<const float>& m, const vec3_view<const float>& points,
                  const vec3_view<float>& out, options o) noexcept {
     return plain<float>(o, std::tuple(group_of(m), group_of(points)), std::tuple(group_of(out)),
-                        [&](std::size_t i) {
-                            reference::write(out, i, transformed(read(m, i), reference::read(points, i)));
-                        });
+                        [&](std::size_t i) { write(out, i, transformed(read(m, i), read(points, i))); });
 }
 status transform(const motor_view<const double>& m, const vec3_view<const double>& points,
                  const vec3_view<double>& out, options o) noexcept {
     return plain<double>(o, std::tuple(group_of(m), group_of(points)), std::tuple(group_of(out)),
-                         [&](std::size_t i) {
-                             reference::write(out, i, transformed(read(m, i), reference::read(points, i)));
-                         });
+                         [&](std::size_t i) { write(out, i, transformed(read(m, i), read(points, i))); });
 }
 status square_root(const motor_view<const float>& m, const motor_view<float>& out, options o) noexcept {
     return plain<float>(o, std::tuple(group_of(m)), std::tuple(group_of(out)),
@@ -434,8 +382,8 @@ status log(const motor_view<const float>& m, const vec3_view<float>& b, const ve
            options o) noexcept {
     return plain<float>(o, std::tuple(group_of(m)), std::tuple(group_of(b), group_of(n)), [&](std::size_t i) {
         const motor_bivector<float> r = log_of(read(m, i));
-        reference::write(b, i, r.b);
-        reference::write(n, i, r.n);
+        write(b, i, r.b);
+        write(n, i, r.n);
     });
 }
 status log(const motor_view<const double>& m, const vec3_view<double>& b, const vec3_view<double>& n,
@@ -443,47 +391,41 @@ status log(const motor_view<const double>& m, const vec3_view<double>& b, const 
     return plain<double>(o, std::tuple(group_of(m)), std::tuple(group_of(b), group_of(n)),
                          [&](std::size_t i) {
                              const motor_bivector<double> r = log_of(read(m, i));
-                             reference::write(b, i, r.b);
-                             reference::write(n, i, r.n);
+                             write(b, i, r.b);
+                             write(n, i, r.n);
                          });
 }
 status exp(const vec3_view<const float>& b, const vec3_view<const float>& n, const motor_view<float>& out,
            options o) noexcept {
-    return plain<float>(
-        o, std::tuple(group_of(b), group_of(n)), std::tuple(group_of(out)),
-        [&](std::size_t i) { write(out, i, exp_of(reference::read(b, i), reference::read(n, i))); });
+    return plain<float>(o, std::tuple(group_of(b), group_of(n)), std::tuple(group_of(out)),
+                        [&](std::size_t i) { write(out, i, exp_of(read(b, i), read(n, i))); });
 }
 status exp(const vec3_view<const double>& b, const vec3_view<const double>& n, const motor_view<double>& out,
            options o) noexcept {
-    return plain<double>(
-        o, std::tuple(group_of(b), group_of(n)), std::tuple(group_of(out)),
-        [&](std::size_t i) { write(out, i, exp_of(reference::read(b, i), reference::read(n, i))); });
+    return plain<double>(o, std::tuple(group_of(b), group_of(n)), std::tuple(group_of(out)),
+                         [&](std::size_t i) { write(out, i, exp_of(read(b, i), read(n, i))); });
 }
 status power(const motor_view<const float>& m, const parameter<float>& t, const motor_view<float>& out,
              options o) noexcept {
     return plain<float>(o, std::tuple(group_of(m), group_of(t, m.size)), std::tuple(group_of(out)),
-                        [&](std::size_t i) { write(out, i, power_of(read(m, i), reference::read(t, i))); });
+                        [&](std::size_t i) { write(out, i, power_of(read(m, i), read(t, i))); });
 }
 status power(const motor_view<const double>& m, const parameter<double>& t, const motor_view<double>& out,
              options o) noexcept {
     return plain<double>(o, std::tuple(group_of(m), group_of(t, m.size)), std::tuple(group_of(out)),
-                         [&](std::size_t i) { write(out, i, power_of(read(m, i), reference::read(t, i))); });
+                         [&](std::size_t i) { write(out, i, power_of(read(m, i), read(t, i))); });
 }
 status sclerp(const motor_view<const float>& a, const motor_view<const float>& b, const parameter<float>& t,
               const motor_view<float>& out, options o) noexcept {
-    return plain<float>(o, std::tuple(group_of(a), group_of(b), group_of(t, a.size)),
-                        std::tuple(group_of(out)), [&](std::size_t i) {
-                            write(out, i,
-                                  sclerp_of(read(a, i), read(b, i), reference::read(t, i), o.long_way));
-                        });
+    return plain<float>(
+        o, std::tuple(group_of(a), group_of(b), group_of(t, a.size)), std::tuple(group_of(out)),
+        [&](std::size_t i) { write(out, i, sclerp_of(read(a, i), read(b, i), read(t, i), o.long_way)); });
 }
 status sclerp(const motor_view<const double>& a, const motor_view<const double>& b,
               const parameter<double>& t, const motor_view<double>& out, options o) noexcept {
-    return plain<double>(o, std::tuple(group_of(a), group_of(b), group_of(t, a.size)),
-                         std::tuple(group_of(out)), [&](std::size_t i) {
-                             write(out, i,
-                                   sclerp_of(read(a, i), read(b, i), reference::read(t, i), o.long_way));
-                         });
+    return plain<double>(
+        o, std::tuple(group_of(a), group_of(b), group_of(t, a.size)), std::tuple(group_of(out)),
+        [&](std::size_t i) { write(out, i, sclerp_of(read(a, i), read(b, i), read(t, i), o.long_way)); });
 }
 status blend(std::span<const motor_view<const float>> motors, std::span<const parameter<float>> weights,
              const motor_view<float>& out, options o) noexcept {

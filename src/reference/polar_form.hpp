@@ -32,6 +32,16 @@ polar_form<T> polar(const quat<T>& q, T by) {
             scalar_only};
 }
 
+// Of half of the angle with the sine m and the cosine w, times any length: |w| + sqrt(w^2 + m^2) and m are in
+// proportion to cosine and sine, or for negative w to sine and cosine.
+template <class T>
+sine_cosine<T> half_of(T m, T w) {
+    const T sum = std::sqrt(floored(w * w + m * m)) + std::fabs(w);
+    const T length = std::sqrt(floored(sum * sum + m * m));
+    if (w < 0) return {sum / length, m / length};
+    return {m / length, sum / length};
+}
+
 }  // namespace swivel::reference
 
 #endif

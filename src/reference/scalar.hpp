@@ -4,6 +4,7 @@
 // The formulas that several operations share, for one element. The order of additions is part of the
 // contract, since precision::reproducible promises the same bits; contraction is off for the whole library.
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -126,6 +127,29 @@ T asinh_of(T x) {
 template <class T>
 T finite_or_nan(T a) {
     return T(0) * a + a;
+}
+
+// 0, or NaN where one of the numbers is not finite.
+template <class T, std::size_t N>
+T zero_or_nan(const std::array<T, N>& numbers) {
+    T sum = 0;
+    for (const T a : numbers) sum = T(0) * a + sum;
+    return sum;
+}
+
+template <class T>
+vec3<T> vector_part(const quat<T>& q) {
+    return {q.x, q.y, q.z};
+}
+
+template <class T>
+quat<T> joined(const vec3<T>& v, T w) {
+    return {v.x, v.y, v.z, w};
+}
+
+template <class T>
+quat<T> reversed(const quat<T>& q) {
+    return {-q.x, -q.y, -q.z, q.w};
 }
 
 template <class T>

@@ -28,11 +28,6 @@ scaled_pair<T> brought_near_one(T x, T y) {
 }
 
 template <class T>
-vec3<T> vector_part(const quat<T>& q) {
-    return {q.x, q.y, q.z};
-}
-
-template <class T>
 bool is_zero(const vec3<T>& v) {
     return v.x == 0 && v.y == 0 && v.z == 0;
 }
@@ -60,11 +55,6 @@ template <class T>
 vec3<T> slid(const quat<T>& q, const vec3<T>& c) {
     const vec3<T> across = cross(vector_part(q), c);
     return {q.w * c.x + across.x, q.w * c.y + across.y, q.w * c.z + across.z};
-}
-
-template <class T>
-quat<T> reverse(const quat<T>& q) {
-    return {-q.x, -q.y, -q.z, q.w};
 }
 
 template <class T>
@@ -125,7 +115,7 @@ template <class T>
 composed_arcs<T> compose_arcs(const quat<T>& first, const quat<T>& second) noexcept {
     const quat<T> q = normalized(first), r = normalized(second);
     const vec3<T> common = common_perpendicular(q, r);
-    return {slid(reverse(q), common), common, slid(r, common), normalized(hamilton(r, q))};
+    return {slid(reversed(q), common), common, slid(r, common), normalized(hamilton(r, q))};
 }
 
 template <class T>
@@ -158,7 +148,7 @@ quat<T> power_by_halving(const quat<T>& q, T t, int bits) noexcept {
 template <class T>
 quat<T> interpolate_by_halving(const quat<T>& a, const quat<T>& b, T t, int bits) noexcept {
     const quat<T> from = normalized(a), to = normalized(b);
-    const quat<T> way = hamilton(dot(from, to) < 0 ? minus(to) : to, reverse(from));
+    const quat<T> way = hamilton(dot(from, to) < 0 ? minus(to) : to, reversed(from));
     return normalized(hamilton(power_by_halving(way, t, bits), from));
 }
 
