@@ -18,8 +18,6 @@ namespace {
 class AlignSigns : public per_isa {};
 INSTANTIATE_TEST_SUITE_P(Isa, AlignSigns, testing::ValuesIn(usable_isas()), isa_name);
 
-constexpr precision both_precisions[] = {precision::fast, precision::reproducible};
-
 template <class T>
 quat<T> negative(const quat<T>& q) {
     return {-q.x, -q.y, -q.z, -q.w};

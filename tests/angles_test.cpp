@@ -15,8 +15,6 @@ INSTANTIATE_TEST_SUITE_P(Isa, Sincos, testing::ValuesIn(usable_isas()), isa_name
 class Atan2 : public per_isa {};
 INSTANTIATE_TEST_SUITE_P(Isa, Atan2, testing::ValuesIn(usable_isas()), isa_name);
 
-constexpr precision both_precisions[] = {precision::fast, precision::reproducible};
-
 // In units in the last place of the right result.
 template <class T>
 double units(T got, long double want) {

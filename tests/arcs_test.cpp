@@ -16,7 +16,6 @@ namespace {
 class Arcs : public per_isa {};
 INSTANTIATE_TEST_SUITE_P(Isa, Arcs, testing::ValuesIn(usable_isas()), isa_name);
 
-constexpr precision both_precisions[] = {precision::fast, precision::reproducible};
 constexpr product both_products[] = {product::swing_twist, product::twist_swing};
 constexpr std::size_t n = 60000;
 

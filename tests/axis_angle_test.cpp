@@ -13,7 +13,6 @@ namespace {
 class AxisAngle : public per_isa {};
 INSTANTIATE_TEST_SUITE_P(Isa, AxisAngle, testing::ValuesIn(usable_isas()), isa_name);
 
-constexpr precision both_precisions[] = {precision::fast, precision::reproducible};
 constexpr axis all_axes[] = {axis::x, axis::y, axis::z};
 
 // The bounds of axis_angle.hpp.

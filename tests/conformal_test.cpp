@@ -2,11 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "support/buffers.hpp"
-#include "support/conformal.hpp"
+#include <numbers>
+
+#include "support/conformal_errors.hpp"
 #include "support/exact.hpp"
-#include "support/golden.hpp"
-#include "support/usable_isas.hpp"
 
 namespace swivel::tests {
 namespace {
@@ -14,57 +13,7 @@ namespace {
 class Conformal : public per_isa {};
 INSTANTIATE_TEST_SUITE_P(Isa, Conformal, testing::ValuesIn(usable_isas()), isa_name);
 
-constexpr precision both_precisions[] = {precision::fast, precision::reproducible};
-constexpr double pi = 3.14159265358979323846;
-
-// The bound of a header: for float and for double.
-template <class T>
-double bound(double f, double d) {
-    return sizeof(T) == 4 ? f : d;
-}
-
-template <class T>
-even<double> get(conformal_buffer<T>& b, std::size_t i) {
-    even<double> e;
-    for (int k = 0; k < 16; ++k) e[static_cast<std::size_t>(k)] = static_cast<double>(b.at(k, i));
-    return e;
-}
-
-template <class T>
-bivector<double> get(bivector_buffer<T>& b, std::size_t i) {
-    bivector<double> e;
-    for (int k = 0; k < 10; ++k) e[static_cast<std::size_t>(k)] = static_cast<double>(b.at(k, i));
-    return e;
-}
-
-template <class Buffer, class W>
-void set(Buffer& b, std::size_t i, const W& values) {
-    using T = std::remove_reference_t<decltype(b.at(0, 0))>;
-    for (std::size_t k = 0; k < values.size(); ++k) b.at(static_cast<int>(k), i) = static_cast<T>(values[k]);
-}
-
-// The largest difference of components, by the length of what is expected where that is larger than 1.
-template <class A>
-double error(const A& got, const A& want) {
-    double largest = 0;
-    for (std::size_t k = 0; k < got.size(); ++k) {
-        if (!std::isfinite(got[k])) return HUGE_VAL;
-        largest = std::max(largest, std::fabs(static_cast<double>(got[k] - want[k])));
-    }
-    return largest / std::max(1.0, size_of(want));
-}
-
-// The worst of many, for the message and for the figures of the header.
-struct worst {
-    double value = 0;
-    void see(double e) { value = std::max(value, e); }
-    void expect_below(double limit, const char* what, precision p, std::size_t bytes) const {
-        EXPECT_LE(value, limit) << what << ' ' << name(p) << ' ' << bytes;
-        if (std::getenv("SWIVEL_SHOW_ERRORS") != nullptr)
-            std::printf("%s %s f%zu: %.2g of %.2g\n", what, name(p), 8 * bytes, value, limit);
-    }
-};
-
+constexpr double pi = std::numbers::pi;
 constexpr std::size_t n = 3000;
 
 template <class T>
@@ -322,40 +271,6 @@ TEST_P(Conformal, ARootOrLogarithmIsRightOrSaidNotToBeUnique) {
     never_silently_wrong<double>();
 }
 
-template <class T>
-void matches_golden() {
-    const nlohmann::json vectors = golden_section("cga");
-    if (vectors.is_null()) GTEST_SKIP() << "no golden vectors";
-    ASSERT_GE(vectors.size(), 30U);
-    conformal_buffer<T> r(1, layout::soa), out(1, layout::soa);
-    bivector_buffer<T> b(1, layout::soa), l(1, layout::soa);
-    scalar_buffer<T> unique(1, layout::soa);
-    for (const precision p : both_precisions) {
-        const options o{.accuracy = p};
-        worst exps, roots, logs;
-        for (const nlohmann::json& e : vectors) {
-            const auto B = e.at("B").get<bivector<double>>();
-            const auto R = e.at("R").get<even<double>>(), half = e.at("sqrt").get<even<double>>();
-            set(b, 0, B);
-            set(r, 0, R);
-            ASSERT_EQ(exp(b.view(), out.view(), o), status::ok);
-            exps.see(error(get(out, 0), R));
-            ASSERT_EQ(square_root(r.view(), out.view(), unique.view(), o), status::ok);
-            EXPECT_EQ(unique[0], 1) << e.dump();
-            roots.see(error(get(out, 0), half));
-            ASSERT_EQ(log(r.view(), l.view(), unique.view(), o), status::ok);
-            EXPECT_EQ(unique[0], 1) << e.dump();
-            logs.see(error(get(l, 0), B));
-        }
-        exps.expect_below(bound<T>(4e-7, 6e-16), "golden exp", p, sizeof(T));
-        roots.expect_below(bound<T>(3e-7, 6e-16), "golden square_root", p, sizeof(T));
-        logs.expect_below(bound<T>(4e-7, 1e-15), "golden log", p, sizeof(T));
-    }
-}
-
-TEST_P(Conformal, GoldenFloat) { matches_golden<float>(); }
-TEST_P(Conformal, GoldenDouble) { matches_golden<double>(); }
-
 bivector<double> product_with_itself(const bivector<double>& a, const bivector<double>& b, bool commutator) {
     // The four-vector part of a^2, or the bivector part of a b.
     const even<double> p = times(as_even(a), as_even(b));
@@ -536,87 +451,6 @@ TEST_P(Conformal, ExpOfWhatIsOutOfTheDomainIsOne) {
     set(b, 0, rotation_generator(0, 4000, 0) + dilation_generator(60));
     ASSERT_EQ(exp(b.view(), out.view()), status::ok);
     EXPECT_GT(std::fabs(get(out, 0)[10]), 1e10);
-}
-
-// What the recipes of the literature do in each of these cases, ours do right.
-struct motion_case {
-    const char* name;
-    bivector<double> generator;
-    int sign;     // of the exponential of it
-    bool unique;  // whether that has one root
-    bool half_turn = false;
-};
-
-const motion_case cases[] = {
-    {"Identity", {}, 1, true},
-    {"Rotation", rotation_generator(0.5, -1, 0.7), 1, true},
-    {"Translation", translation_generator(1, 2, -3), 1, true},
-    {"Motor", rotation_generator(0, 0, 1) + translation_generator(1, 2, -3), 1, true},
-    {"Dilation", dilation_generator(1.3), 1, true},
-    {"Transversion", {0, 0, 0.5, -0.5, 0, 0.25, -0.25, 0, 0, 0}, 1, true},
-    {"Boost", {0, 0, 0, 0.75, 0, 0, 0.5, 0, 0.25, 0}, 1, true},
-    {"Loxodromic", rotation_generator(0, 1.2, 0.4) + dilation_generator(-0.8), 1, true},
-    {"DoubleElliptic", {1.1, 0, 0, 0, 0, 0, 0, 0.4, 0, 0}, 1, true},
-    {"Isoclinic", {0.8, 0, 0, 0, 0, 0, 0, 0.8, 0, 0}, 1, true},
-    {"LoxodromicByPi", rotation_generator(0, 0, pi / 2) + dilation_generator(0.5), 1, true},
-    {"DoubleEllipticBeyondPi", {2, 0, 0, 0, 0, 0, 0, 2, 0, 0}, 1, true},
-    {"RotationOfSixRadians", rotation_generator(0, 3, 0), 1, true},
-    {"MinusOne", {}, -1, false, true},
-    {"MinusTranslation", translation_generator(1, 2, -3), -1, false},
-    {"MinusDilation", dilation_generator(1.3), -1, false},
-    {"MinusBoost", {0, 0, 0, 0.75, 0, 0, 0.5, 0, 0.25, 0}, -1, false},
-    {"DoubleEllipticOfPi", {1, 0, 0, 0, 0, 0, 0, pi - 1, 0, 0}, 1, false},
-    {"TwoRightAngles", {pi / 2, 0, 0, 0, 0, 0, 0, pi / 2, 0, 0}, 1, false, true},
-};
-
-class ConformalCases : public testing::TestWithParam<motion_case> {};
-INSTANTIATE_TEST_SUITE_P(Motions, ConformalCases, testing::ValuesIn(cases),
-                         [](const testing::TestParamInfo<motion_case>& i) { return i.param.name; });
-
-template <class T>
-void check_case(const motion_case& c) {
-    conformal_buffer<T> r(1, layout::soa), root(1, layout::soa), part(1, layout::soa);
-    bivector_buffer<T> l(1, layout::soa);
-    scalar_buffer<T> unique(1, layout::soa), log_unique(1, layout::soa), power_unique(1, layout::soa);
-    even<double> rotor = exact_exp(c.generator);
-    for (double& x : rotor) x *= c.sign;
-    set(r, 0, rotor);
-    const even<double> given = get(r, 0);
-    const double limit = bound<T>(1e-5, 2e-14);
-    for (const isa which : usable_isas())
-        for (const precision p : both_precisions) {
-            ASSERT_EQ(set_active_isa(which), status::ok);
-            const options o{.accuracy = p};
-            ASSERT_EQ(square_root(r.view(), root.view(), unique.view(), o), status::ok);
-            ASSERT_EQ(log(r.view(), l.view(), log_unique.view(), o), status::ok);
-            ASSERT_EQ(power(r.view(), T(0.5), part.view(), power_unique.view(), o), status::ok);
-            EXPECT_EQ(unique[0], c.unique ? 1 : 0);
-            EXPECT_EQ(log_unique[0], unique[0]);
-            EXPECT_EQ(power_unique[0], unique[0]);
-            const even<double> h = get(root, 0);
-            EXPECT_LE(error(get(part, 0), h), limit);
-            even<double> square = times(h, h), back = exact_exp(get(l, 0)), want = given;
-            if (!c.unique) {
-                // That of -R, which acts alike; where there is none either, and for R = -1, the half turn
-                // -e23.
-                if (c.half_turn) {
-                    EXPECT_LE(error(h, even<double>{0, 0, 0, 0, 0, -1}), 0.0);
-                    EXPECT_LE(error(get(l, 0), {0, 0, 0, 0, -pi, 0, 0, 0, 0, 0}), bound<T>(1e-7, 2e-16));
-                    want = {-1};
-                } else {
-                    for (double& x : want) x = -x;
-                }
-            }
-            EXPECT_LE(error(square, want), limit);
-            EXPECT_LE(error(back, want), limit);
-        }
-}
-
-TEST_P(ConformalCases, HaveRootsAndLogarithmsOrSayThatTheyHaveNone) {
-    const isa before = active_isa();
-    check_case<float>(GetParam());
-    check_case<double>(GetParam());
-    ASSERT_EQ(set_active_isa(before), status::ok);
 }
 
 }  // namespace

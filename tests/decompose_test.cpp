@@ -18,7 +18,6 @@ class Decompose : public per_isa {};
 INSTANTIATE_TEST_SUITE_P(Isa, Decompose, testing::ValuesIn(usable_isas()), isa_name);
 
 constexpr product both_products[] = {product::swing_twist, product::twist_swing};
-constexpr precision both_precisions[] = {precision::fast, precision::reproducible};
 constexpr axis all_axes[] = {axis::x, axis::y, axis::z};
 
 template <class T>

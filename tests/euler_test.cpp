@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "clip/clip.hpp"
 #include "support/buffers.hpp"
 #include "support/bvh_text.hpp"
@@ -16,8 +18,7 @@ namespace {
 class Euler : public per_isa {};
 INSTANTIATE_TEST_SUITE_P(Isa, Euler, testing::ValuesIn(usable_isas()), isa_name);
 
-constexpr precision both_precisions[] = {precision::fast, precision::reproducible};
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = std::numbers::pi;
 
 struct named_order {
     euler_order order;

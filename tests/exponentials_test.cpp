@@ -16,7 +16,6 @@ namespace {
 class Exponentials : public per_isa {};
 INSTANTIATE_TEST_SUITE_P(Isa, Exponentials, testing::ValuesIn(usable_isas()), isa_name);
 
-constexpr precision both_precisions[] = {precision::fast, precision::reproducible};
 constexpr std::size_t n = 40000;
 
 // Eleven bits more than double, and a range in which no square of one underflows.

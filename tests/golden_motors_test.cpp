@@ -31,14 +31,14 @@ dual_quaternion<long double> exact_motor(const nlohmann::json& m) {
 template <class T>
 double error(const dual_quaternion<T>& got, const dual_quaternion<long double>& want, long double size) {
     const auto parts = [&](const quat<T>& a, const exact_quat& b) {
-        return length_of(minus(widen<long double>(a), b));
+        return norm(minus(widen<long double>(a), b));
     };
     return double(std::max(parts(got.r, want.r), parts(got.d, want.d) / size)) / rounding_unit<T>;
 }
 
 template <class T>
 double error(const vec3<T>& got, const exact_vec3& want, long double size) {
-    return double(length_of(sum(widen<long double>(got), -1, want)) / size) / rounding_unit<T>;
+    return double(norm(sum(widen<long double>(got), -1, want)) / size) / rounding_unit<T>;
 }
 
 template <class T>
@@ -47,7 +47,7 @@ void check(const nlohmann::json& v, precision p) {
         return motion{unit_of(golden_quat(v.at(q))), exact_vector(v.at(t))};
     };
     const motion m1 = pose("q1", "t1"), m2 = pose("q2", "t2");
-    const long double size = std::max({1.0L, length_of(m1.t), length_of(m2.t)});
+    const long double size = std::max({1.0L, norm(m1.t), norm(m2.t)});
     motor_buffer<T> a(1, layout::soa), b(1, layout::soa), out(1, layout::soa);
     vec3_buffer<T> rotational(1, layout::soa), translational(1, layout::soa);
     a.set(0, rounded<T>(m1));

@@ -39,9 +39,9 @@ void halving_accuracy() {
         const L log = std::atan2(std::hypot(L(q.x), L(q.y), L(q.z)), L(q.w));
         const L bits = std::ldexp(log, -digits - 1);
         const exact_quat got = widen<L>(tool::power_by_halving(q, t)), by_log = widen<L>(one_power(q, t));
-        worst = std::max(worst, static_cast<double>(length_of(minus(got, want)) - bits) / rounding_unit<T>);
-        worst_power = std::max(worst_power,
-                               static_cast<double>(length_of(minus(got, by_log)) - bits) / rounding_unit<T>);
+        worst = std::max(worst, static_cast<double>(norm(minus(got, want)) - bits) / rounding_unit<T>);
+        worst_power =
+            std::max(worst_power, static_cast<double>(norm(minus(got, by_log)) - bits) / rounding_unit<T>);
     }
     EXPECT_LE(worst, rounding_of_roots<T>);
     EXPECT_LE(worst_power, 12);
@@ -65,7 +65,7 @@ void error_by_bits() {
             const L log = std::atan2(std::hypot(L(q.x), L(q.y), L(q.z)), L(q.w));
             const L bound = std::ldexp(log, -bits - 1);
             const exact_quat got = widen<L>(tool::power_by_halving(q, t, bits));
-            const L error = length_of(minus(got, power(unit_of(q), L(t))));
+            const L error = norm(minus(got, power(unit_of(q), L(t))));
             ASSERT_LE(error, bound + L(rounding_of_roots<T> * rounding_unit<T>)) << bits;
             largest = std::max(largest, error / bound);
         }
@@ -100,13 +100,13 @@ void halving_corners() {
         EXPECT_EQ(tool::power_by_halving(q, t), tool::power_by_halving(twice, t));
         for (T none : {T(0), T(-0.0), T(-1), -limit}) EXPECT_EQ(tool::power_by_halving(q, none), one);
         const quat<T> whole = tool::power_by_halving(q, T(1));
-        EXPECT_LE(length_of(minus(widen<long double>(whole), unit_of(q))), 3 * rounding_unit<T>);
+        EXPECT_LE(norm(minus(widen<long double>(whole), unit_of(q))), 3 * rounding_unit<T>);
         for (T all : {T(1.5), limit}) EXPECT_EQ(tool::power_by_halving(q, all), whole);
         EXPECT_EQ(tool::power_by_halving(q, t, -3), tool::power_by_halving(q, t, 0));
         EXPECT_EQ(tool::power_by_halving(q, t, 1000), tool::power_by_halving(q, t, 62));
         // Of one bit, a single root.
         const quat<T> half = tool::power_by_halving(q, T(0.5), 1);
-        EXPECT_LE(length_of(minus(widen<long double>(half), power(unit_of(q), 0.5L))), 5 * rounding_unit<T>);
+        EXPECT_LE(norm(minus(widen<long double>(half), power(unit_of(q), 0.5L))), 5 * rounding_unit<T>);
     }
     const quat<T> q{T(0.5), T(-0.5), T(0.5), T(0.5)};
     for (T t : {T(0), T(0.3), T(1)}) {
@@ -145,7 +145,7 @@ void halving_and_slerp() {
         const exact_quat got = widen<L>(tool::interpolate_by_halving(a, b, t)),
                          want = exact_slerp(from, to, L(t));
         const L bits = std::ldexp(std::acos(std::min(dot(from, to), L(1))), -digits - 1);
-        worst = std::max(worst, static_cast<double>(length_of(minus(got, want)) - bits) / rounding_unit<T>);
+        worst = std::max(worst, static_cast<double>(norm(minus(got, want)) - bits) / rounding_unit<T>);
     }
     EXPECT_LE(worst, sizeof(T) == 4 ? 9 : 12);
     // From q to -q there is nothing to do.

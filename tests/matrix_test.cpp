@@ -16,8 +16,6 @@ namespace {
 class Matrix : public per_isa {};
 INSTANTIATE_TEST_SUITE_P(Isa, Matrix, testing::ValuesIn(usable_isas()), isa_name);
 
-constexpr precision both_precisions[] = {precision::fast, precision::reproducible};
-
 // The bounds of matrix.hpp.
 constexpr double to_bound = 4, from_bound = 4;
 constexpr double unit_bound(precision p) { return p == precision::fast ? 4 : 3; }

@@ -35,7 +35,7 @@ void exp_is_the_series() {
         for (std::size_t i = 0; i < n; ++i) {
             const exact_vec3 e = widen<long double>(w.e.get(i));
             const motor_error f =
-                distance(w.out.get(i), exact_exp(widen<long double>(w.b.get(i)), e), length_of(e));
+                distance(w.out.get(i), exact_exp(widen<long double>(w.b.get(i)), e), norm(e));
             real = std::max(real, f.real);
             dual = std::max(dual, f.dual);
         }
@@ -148,7 +148,7 @@ void minus_a_translation() {
         for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(root.get(i).r.w, 0);
         ASSERT_EQ(log(m.view(), b.view(), e.view(), o), status::ok);
         for (std::size_t i = 0; i < count; ++i)
-            EXPECT_NEAR(double(length_of(widen<long double>(b.get(i)))), double(pi), 8 * rounding_unit<T>);
+            EXPECT_NEAR(double(norm(widen<long double>(b.get(i)))), double(pi), 8 * rounding_unit<T>);
         ASSERT_EQ(exp(b.view(), e.view(), again.view(), o), status::ok);
         // What log and exp may each err by.
         expect_same("log ", p == precision::fast ? 13 + 12 : 11.5 + 7.5);
@@ -200,10 +200,10 @@ TEST_P(MotorPower, SclerpOfADoorKeepsTheHinge) {
     for (const double t : {0.0, 0.2, 0.5, 0.8, 1.0, 1.5, -1.0}) {
         ASSERT_EQ(sclerp(a.view(), b.view(), t, out.view()), status::ok);
         const motion m = motion_of(out.get(0));
-        EXPECT_LE(double(length_of(sum(moved(m, hinge), -1, hinge))), 2e-15);
+        EXPECT_LE(double(norm(sum(moved(m, hinge), -1, hinge))), 2e-15);
         const exact_vec3 arm = sum(moved(m, edge), -1, hinge);
         EXPECT_NEAR(double(std::atan2(arm.y, arm.x)), 1.4 * t, 2e-15);
-        EXPECT_NEAR(double(length_of(arm)), 1, 2e-15);
+        EXPECT_NEAR(double(norm(arm)), 1, 2e-15);
     }
 }
 

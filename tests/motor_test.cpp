@@ -16,7 +16,6 @@ namespace {
 class Motor : public per_isa {};
 INSTANTIATE_TEST_SUITE_P(Isa, Motor, testing::ValuesIn(usable_isas()), isa_name);
 
-constexpr precision both_precisions[] = {precision::fast, precision::reproducible};
 constexpr std::size_t n = 10007;
 
 template <class T>
@@ -40,11 +39,11 @@ struct sampled {
 
 template <class T>
 double apart(const vec3<T>& got, const exact_vec3& want, long double size) {
-    return static_cast<double>(length_of(sum(widen<long double>(got), -1, want)) / std::max(1.0L, size)) /
+    return static_cast<double>(norm(sum(widen<long double>(got), -1, want)) / std::max(1.0L, size)) /
            rounding_unit<T>;
 }
 
-long double size_of(const motion& m) { return length_of(m.t); }
+long double size_of(const motion& m) { return norm(m.t); }
 
 struct largest {
     double real = 0, dual = 0;
@@ -64,11 +63,10 @@ void multiply_is_one_after_the_other() {
             const exact_quat ar = widen<long double>(w.a.get(i).r), ad = widen<long double>(w.a.get(i).d),
                              br = widen<long double>(w.b.get(i).r), bd = widen<long double>(w.b.get(i).d);
             const exact_quat r = times(ar, br), d = sum(1, times(ar, bd), 1, times(ad, br));
-            const long double size = std::max(length_of(ad), length_of(bd)) * 2;
-            worst.real =
-                std::max(worst.real,
-                         double(length_of(minus(widen<long double>(w.out.get(i).r), r))) / rounding_unit<T>);
-            worst.dual = std::max(worst.dual, double(length_of(minus(widen<long double>(w.out.get(i).d), d)) /
+            const long double size = std::max(norm(ad), norm(bd)) * 2;
+            worst.real = std::max(
+                worst.real, double(norm(minus(widen<long double>(w.out.get(i).r), r))) / rounding_unit<T>);
+            worst.dual = std::max(worst.dual, double(norm(minus(widen<long double>(w.out.get(i).d), d)) /
                                                      std::max(1.0L, size)) /
                                                   rounding_unit<T>);
             const motion both = after(motion_of(w.a.get(i)), motion_of(w.b.get(i)));
@@ -121,14 +119,13 @@ void normalize_projects(int exponents) {
         largest worst;
         for (std::size_t i = 0; i < n; ++i) {
             const exact_quat r = widen<long double>(w.a.get(i).r), d = widen<long double>(w.a.get(i).d);
-            const long double length = length_of(r), along = dot(r, d) / (length * length);
+            const long double length = norm(r), along = dot(r, d) / (length * length);
             const exact_quat want_r = sum(1 / length, r, 0, r),
                              want_d = sum(1 / length, d, -along / length, r);
-            const long double size = std::max(1.0L, length_of(d) / length);
+            const long double size = std::max(1.0L, norm(d) / length);
             worst.add(
-                {double(length_of(minus(widen<long double>(w.out.get(i).r), want_r))) / rounding_unit<T>,
-                 double(length_of(minus(widen<long double>(w.out.get(i).d), want_d)) / size) /
-                     rounding_unit<T>});
+                {double(norm(minus(widen<long double>(w.out.get(i).r), want_r))) / rounding_unit<T>,
+                 double(norm(minus(widen<long double>(w.out.get(i).d), want_d)) / size) / rounding_unit<T>});
         }
         EXPECT_LE(worst.real, p == precision::fast ? 4.5 : 3);
         EXPECT_LE(worst.dual, p == precision::fast ? 8 : 6);
@@ -164,10 +161,9 @@ void rotation_and_translation() {
             ASSERT_EQ(w.out.get(i).r, w.q.get(i));
             const exact_vec3 t = widen<long double>(w.points.get(i));
             const exact_quat q = widen<long double>(w.q.get(i)), d = times(exact_quat{t.x, t.y, t.z, 0}, q);
-            from = std::max(from,
-                            double(length_of(minus(widen<long double>(w.out.get(i).d), sum(0.5L, d, 0, d))) /
-                                   std::max(1.0L, length_of(t))) /
-                                rounding_unit<T>);
+            from = std::max(from, double(norm(minus(widen<long double>(w.out.get(i).d), sum(0.5L, d, 0, d))) /
+                                         std::max(1.0L, norm(t))) /
+                                      rounding_unit<T>);
         }
         EXPECT_LE(from, 1.5);
         ASSERT_EQ(to_rotation_translation(w.out.view(), w.s.view(), w.points_out.view(), {.accuracy = p}),
@@ -175,7 +171,7 @@ void rotation_and_translation() {
         for (std::size_t i = 0; i < n; ++i) {
             ASSERT_EQ(w.s.get(i), w.q.get(i));
             const exact_vec3 t = widen<long double>(w.points.get(i));
-            to = std::max(to, apart(w.points_out.get(i), t, length_of(t)));
+            to = std::max(to, apart(w.points_out.get(i), t, norm(t)));
         }
         EXPECT_LE(to, 6);
     }
@@ -195,8 +191,8 @@ void transform_moves_points() {
         for (std::size_t i = 0; i < n; ++i) {
             const motion m = motion_of(w.a.get(i));
             const exact_vec3 point = widen<long double>(w.points.get(i));
-            worst = std::max(
-                worst, apart(w.points_out.get(i), moved(m, point), std::max(length_of(point), size_of(m))));
+            worst = std::max(worst,
+                             apart(w.points_out.get(i), moved(m, point), std::max(norm(point), size_of(m))));
         }
         EXPECT_LE(worst, 10);
     }
@@ -245,16 +241,16 @@ void blend_is_the_normalised_sum() {
                 r = sum(1, r, s, mr);
                 d = sum(1, d, s, md);
                 magnitudes += by[k];
-                size = std::max(size, 2 * length_of(md));
+                size = std::max(size, 2 * norm(md));
             }
-            const long double length = length_of(r), along = dot(r, d) / (length * length);
+            const long double length = norm(r), along = dot(r, d) / (length * length);
             const double scale = double(length / magnitudes) / rounding_unit<T>;
             const exact_quat got_r = widen<long double>(w.out.get(i).r),
                              got_d = widen<long double>(w.out.get(i).d);
-            worst = std::max(worst, double(length_of(minus(got_r, sum(1 / length, r, 0, r)))) * scale);
-            worst = std::max(worst,
-                             double(length_of(minus(got_d, sum(1 / length, d, -along / length, r))) / size) *
-                                 scale * std::min(1.0, double(length / magnitudes)));
+            worst = std::max(worst, double(norm(minus(got_r, sum(1 / length, r, 0, r)))) * scale);
+            worst =
+                std::max(worst, double(norm(minus(got_d, sum(1 / length, d, -along / length, r))) / size) *
+                                    scale * std::min(1.0, double(length / magnitudes)));
         }
         EXPECT_LE(worst, 5);
     }

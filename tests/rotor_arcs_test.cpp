@@ -121,7 +121,7 @@ arc_errors<T> errors_of(const quat<T>& first, const quat<T>& second) {
     const quat<W> q = normalized(widen<W>(first)), r = normalized(widen<W>(second)), p = times(r, q);
     const vec3<W> start = widen<W>(c.start), common = widen<W>(c.common), end = widen<W>(c.end);
     W worst = 0;
-    for (const vec3<W>& v : {start, common, end}) worst = std::max(worst, magnitude(length(v) - 1));
+    for (const vec3<W>& v : {start, common, end}) worst = std::max(worst, magnitude(norm(v) - 1));
     worst = std::max(worst, norm(minus(product_of(common, start), q)));
     worst = std::max(worst, norm(minus(product_of(end, common), r)));
     worst = std::max(worst, norm(minus(product_of(end, start), p)));

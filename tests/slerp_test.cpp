@@ -15,8 +15,6 @@ INSTANTIATE_TEST_SUITE_P(Isa, Slerp, testing::ValuesIn(usable_isas()), isa_name)
 class Nlerp : public per_isa {};
 INSTANTIATE_TEST_SUITE_P(Isa, Nlerp, testing::ValuesIn(usable_isas()), isa_name);
 
-constexpr precision both_precisions[] = {precision::fast, precision::reproducible};
-
 template <class T>
 quat<T> one(bool is_slerp, const quat<T>& a, const quat<T>& b, T t, const options& o) {
     quat_buffer<T> from(1, layout::soa), to(1, layout::soa), out(1, layout::soa);
@@ -54,17 +52,16 @@ errors<T> measure(bool is_slerp, bool long_way, precision p) {
     errors<T> worst;
     for (std::size_t i = 0; i < n; ++i) {
         const auto from = unit_of(a.get(i)), to = on_the_way(from, unit_of(b.get(i)), long_way);
-        const long double chord = length_of(sum(1.0L, from, 1.0L, to));
+        const long double chord = norm(sum(1.0L, from, 1.0L, to));
         if (long_way && chord < 0.05L) continue;
         const auto want = is_slerp ? exact_slerp(from, to, t[i]) : exact_nlerp(from, to, t[i]);
         const auto got = widen<long double>(out.get(i));
         // What the direction is worth, and for the chord its length.
-        const long double scale =
-            is_slerp ? std::min(1.0L, chord)
-                     : std::min(1.0L, length_of(sum(1.0L - t[i], from, (long double)t[i], to)));
-        worst.distance =
-            std::max(worst.distance, double(length_of(minus(got, want)) * scale) / rounding_unit<T>);
-        worst.norm = std::max(worst.norm, double(std::fabs(length_of(got) - 1)) / rounding_unit<T>);
+        const long double scale = is_slerp
+                                      ? std::min(1.0L, chord)
+                                      : std::min(1.0L, norm(sum(1.0L - t[i], from, (long double)t[i], to)));
+        worst.distance = std::max(worst.distance, double(norm(minus(got, want)) * scale) / rounding_unit<T>);
+        worst.norm = std::max(worst.norm, double(std::fabs(norm(got) - 1)) / rounding_unit<T>);
     }
     return worst;
 }

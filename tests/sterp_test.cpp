@@ -7,26 +7,13 @@
 #include "support/buffers.hpp"
 #include "support/interpolation.hpp"
 #include "support/usable_isas.hpp"
+#include "support/vectors.hpp"
 
 namespace swivel::tests {
 namespace {
 
 class Sterp : public per_isa {};
 INSTANTIATE_TEST_SUITE_P(Isa, Sterp, testing::ValuesIn(usable_isas()), isa_name);
-
-constexpr precision both_precisions[] = {precision::fast, precision::reproducible};
-using exact_vec3 = vec3<long double>;
-
-exact_vec3 rotated(const exact_quat& q, const exact_vec3& v) {
-    const exact_quat r = times(times(q, exact_quat{v.x, v.y, v.z, 0}), conjugate(q));
-    return {r.x, r.y, r.z};
-}
-
-long double dot(const exact_vec3& a, const exact_vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-exact_vec3 cross(const exact_vec3& a, const exact_vec3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 // S^s T^t a by powers of the factors of b a*; the axis in the world, at a. closeness is the distance from the
 // pole.
@@ -84,9 +71,9 @@ errors<T> measure(options o, bool own_axis) {
         const exact_quat want = exact_sterp(from, to, l, s[i], t[i], o, closeness);
         if (closeness < 0.001L) continue;
         const auto got = widen<long double>(out.get(i));
-        worst.distance = std::max(
-            worst.distance, double(length_of(minus(got, want)) / (2 + 1 / closeness)) / rounding_unit<T>);
-        worst.norm = std::max(worst.norm, double(std::fabs(length_of(got) - 1)) / rounding_unit<T>);
+        worst.distance =
+            std::max(worst.distance, double(norm(minus(got, want)) / (2 + 1 / closeness)) / rounding_unit<T>);
+        worst.norm = std::max(worst.norm, double(std::fabs(norm(got) - 1)) / rounding_unit<T>);
     }
     return worst;
 }
@@ -160,18 +147,17 @@ TEST_P(Sterp, TheTipFollowsTheGreatCircleAtConstantSpeed) {
         const vec3<double> body = random_direction<double>(g);
         const exact_vec3 l = unit(widen<long double>(body));
         const exact_vec3 start = rotated(unit_of(a), l), end = rotated(unit_of(b), l);
-        const exact_vec3 normal = unit(cross(start, end));
-        const long double whole =
-            std::atan2(std::sqrt(dot(cross(start, end), cross(start, end))), dot(start, end));
+        const exact_vec3 normal = unit(crossed(start, end));
+        const long double whole = std::atan2(norm(crossed(start, end)), dotted(start, end));
         if (whole < 0.1L || whole > 3.0L) continue;
         for (const double t : {0.125, 0.25, 0.5, 0.75, 0.9}) {
             const quat<double> q = one<double>(a, b, body, t, t, {.axis_frame = frame::body});
             const exact_vec3 tip = rotated(unit_of(q), l);
-            EXPECT_NEAR(double(dot(tip, normal)), 0, 1e-14);
-            EXPECT_NEAR(double(std::acos(dot(tip, start)) / whole), t, 1e-13);
+            EXPECT_NEAR(double(dotted(tip, normal)), 0, 1e-14);
+            EXPECT_NEAR(double(std::acos(dotted(tip, start)) / whole), t, 1e-13);
             const exact_vec3 other =
                 rotated(exact_slerp(unit_of(a), on_the_way(unit_of(a), unit_of(b), false), t), l);
-            largest_of_slerp = std::max(largest_of_slerp, double(std::fabs(dot(other, normal))));
+            largest_of_slerp = std::max(largest_of_slerp, double(std::fabs(dotted(other, normal))));
         }
     }
     EXPECT_GT(largest_of_slerp, 0.3) << "slerp is expected to leave the circle, or this test cannot fail";
@@ -186,7 +172,7 @@ TEST_P(Sterp, IsTheOneCompositionThatEndsAtB) {
     const exact_quat from = unit_of(a), to = on_the_way(from, unit_of(b), false);
     const exact_factors<long double> f = factor(times(to, conjugate(from)), z, product::swing_twist);
     const quat<double> q = one<double>(a, b, axis::z, std::nextafter(1.0, 0.0), 1.0, {});
-    const auto distance = [&](const exact_quat& r) { return double(length_of(minus(r, to))); };
+    const auto distance = [&](const exact_quat& r) { return double(norm(minus(r, to))); };
     EXPECT_LT(distance(widen<long double>(q)), 1e-14);
     EXPECT_LT(distance(times(times(f.swing, f.twist), from)), 1e-14);
     EXPECT_GT(distance(times(f.twist, f.swing)), 0.1);
@@ -204,8 +190,8 @@ TEST_P(Sterp, SwingAloneLeavesTheTwistAndTwistAloneTheAxis) {
         const exact_vec3 start = rotated(unit_of(a), unit(l)), end = rotated(unit_of(b), unit(l));
         const exact_vec3 twisted = rotated(unit_of(one<double>(a, b, body, 0, 1, o)), unit(l));
         const exact_vec3 swung = rotated(unit_of(one<double>(a, b, body, 1, 0, o)), unit(l));
-        EXPECT_NEAR(double(dot(twisted, start)), 1, 1e-14);
-        EXPECT_NEAR(double(dot(swung, end)), 1, 1e-14);
+        EXPECT_NEAR(double(dotted(twisted, start)), 1, 1e-14);
+        EXPECT_NEAR(double(dotted(swung, end)), 1, 1e-14);
     }
 }
 
@@ -219,7 +205,7 @@ TEST_P(Sterp, IsTheSameInTheWorldAndInTheBody) {
         const vec3<double> in_world{double(world.x), double(world.y), double(world.z)};
         const quat<double> r = one<double>(a, b, in_world, 0.3, 0.6, {});
         if (std::fabs(tests::dot(unit_of(a), unit_of(b))) < 1e-3L) continue;
-        EXPECT_NEAR(double(length_of(minus(unit_of(q), unit_of(r)))), 0, 1e-13);
+        EXPECT_NEAR(double(norm(minus(unit_of(q), unit_of(r)))), 0, 1e-13);
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "support/buffers.hpp"
 #include "support/exact.hpp"
 #include "support/rotations.hpp"
@@ -13,8 +15,7 @@ namespace {
 class TwistAngle : public per_isa {};
 INSTANTIATE_TEST_SUITE_P(Isa, TwistAngle, testing::ValuesIn(usable_isas()), isa_name);
 
-constexpr precision both_precisions[] = {precision::fast, precision::reproducible};
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = std::numbers::pi;
 
 template <class T>
 T angle_of(const quat<T>& in, const twist_axis<T>& a, options o = {}) {

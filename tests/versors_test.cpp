@@ -147,10 +147,10 @@ TEST(Reflect, IsTheSandwichOfSlideTwo) {
         const multivector inverse = vector_of({a.x / squared, a.y / squared, a.z / squared});
         const multivector m = product(product(vector_of({-a.x, -a.y, -a.z}), vector_of(v)), inverse);
         EXPECT_LE(distance(m, vector_of(tool::reflect(v, a))), 2e-15);
-        EXPECT_LE(length(difference(tool::reflect(tool::reflect(v, a), a), v)), 2e-15);
+        EXPECT_LE(norm(difference(tool::reflect(tool::reflect(v, a), a), v)), 2e-15);
         const vec3<double> in_plane = crossed(v, a);
-        EXPECT_LE(length(difference(tool::reflect(in_plane, a), in_plane)), 2e-15 * length(a));
-        EXPECT_LE(length(difference(tool::reflect(a, a), {-a.x, -a.y, -a.z})), 1e-15 * length(a));
+        EXPECT_LE(norm(difference(tool::reflect(in_plane, a), in_plane)), 2e-15 * norm(a));
+        EXPECT_LE(norm(difference(tool::reflect(a, a), {-a.x, -a.y, -a.z})), 1e-15 * norm(a));
     }
 }
 
@@ -164,8 +164,7 @@ void reflect_accuracy() {
         const vec3<W> n = widen<W>(a), u = widen<W>(v);
         const W twice = 2 * dotted(u, n) / dotted(n, n);
         const vec3<W> want{u.x - twice * n.x, u.y - twice * n.y, u.z - twice * n.z};
-        worst =
-            std::max(worst, units<T>(length(difference(widen<W>(tool::reflect(v, a)), want)) / length(u)));
+        worst = std::max(worst, units<T>(norm(difference(widen<W>(tool::reflect(v, a)), want)) / norm(u)));
     }
     EXPECT_LE(worst, 12);
 }

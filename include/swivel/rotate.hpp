@@ -13,7 +13,7 @@
 // NaN/Inf    An element with a NaN or an infinity in any component of q or v comes out as NaN in every
 //            component; no other element is affected. One rotation for all that has one makes every element
 //            NaN.
-// Accuracy   6 units of 2^-24 (float) or 2^-53 (double), relative to |v|; 10 from the turn by q / |q| where
+// Accuracy   9 units of 2^-24 (float) or 2^-53 (double), relative to |v|; 10 from the turn by q / |q| where
 //            the components of q are those of a unit quaternion, rounded (algebra_test.cpp).
 // Identity   (0, 0, 0, 1) and (0, 0, 0, -1) leave v as it is, exactly.
 // Aliasing   The output may be exactly an input, stream for stream in any pairing (types.hpp).

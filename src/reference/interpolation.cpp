@@ -117,7 +117,7 @@ sine_cosine<T> part_of_turn(T cosine, T sine, T length, T t, flavour motion) {
 
 template <class T>
 quat<T> sterp_of(const quat<T>& a, const quat<T>& b, const unit_axis<T>& axis, T s, T t, const options& o) {
-    const quat<T> back{-a.x, -a.y, -a.z, a.w};
+    const quat<T> back = reversed(a);
     const bool in_body = o.axis_frame == frame::body;
     quat<T> d = in_body ? hamilton(back, b) : hamilton(b, back);
     d.w = d.w + T(0);

@@ -19,7 +19,7 @@ class Conformal(EvalTest):
         self.assertEqual(names, [*ROTOR])
         _, scales = self.evaluate("conformal_from_dilation", "factor\n4\n")
         _, motors = self.evaluate("conformal_from_motor",
-                                  HEADER.strip() + " dx dy dz dw\n0 0 0.6 0.8 1 0.5 1.2 -0.9\n")
+                                  "mx my mz mw mdx mdy mdz mdw\n0 0 0.6 0.8 1 0.5 1.2 -0.9\n")
         _, both = self.evaluate("conformal_multiply", pair(shifts[0], turns[0]))
         self.assertNear(motors[0], both[0], 1e-14)
         _, all_three = self.evaluate("conformal_multiply", pair(both[0], scales[0]))

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "support/rotations.hpp"
@@ -151,7 +152,7 @@ inline bivector<double> random_bivector(generator& g) {
 // same with a translation, a dilation or a boost, like turns in two planes, and such whose angles add up to
 // pi.
 inline std::vector<bivector<double>> corner_bivectors() {
-    constexpr double pi = 3.14159265358979323846;
+    constexpr double pi = std::numbers::pi;
     const auto turn = [](double a) { return rotation_generator(0, 0, a); };
     std::vector<bivector<double>> all = {
         {},

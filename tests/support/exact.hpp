@@ -69,6 +69,11 @@ W norm(const quat<W>& q) {
 }
 
 template <class W>
+W norm(const vec3<W>& v) {
+    return root(v.x * v.x + v.y * v.y + v.z * v.z);
+}
+
+template <class W>
 quat<W> times(const quat<W>& l, const quat<W>& r) {
     return {l.w * r.x + l.x * r.w + l.y * r.z - l.z * r.y, l.w * r.y + l.y * r.w + l.z * r.x - l.x * r.z,
             l.w * r.z + l.z * r.w + l.x * r.y - l.y * r.x, l.w * r.w - l.x * r.x - l.y * r.y - l.z * r.z};
@@ -86,7 +91,7 @@ quat<W> minus(const quat<W>& a, const quat<W>& b) {
 
 template <class W>
 vec3<W> unit(const vec3<W>& v) {
-    const W n = root(v.x * v.x + v.y * v.y + v.z * v.z);
+    const W n = norm(v);
     return {v.x / n, v.y / n, v.z / n};
 }
 

@@ -11,8 +11,7 @@
 namespace swivel::tests {
 
 using exact_quat = quat<long double>;
-
-inline long double length_of(const exact_quat& q) { return std::sqrt(dot(q, q)); }
+using exact_vec3 = vec3<long double>;
 
 inline exact_quat sum(long double s, const exact_quat& a, long double t, const exact_quat& b) {
     return {s * a.x + t * b.x, s * a.y + t * b.y, s * a.z + t * b.z, s * a.w + t * b.w};
@@ -21,7 +20,7 @@ inline exact_quat sum(long double s, const exact_quat& a, long double t, const e
 template <class T>
 exact_quat unit_of(const quat<T>& q) {
     const exact_quat w = widen<long double>(q);
-    return sum(1 / length_of(w), w, 0, w);
+    return sum(1 / norm(w), w, 0, w);
 }
 
 inline exact_quat on_the_way(const exact_quat& a, const exact_quat& b, bool long_way) {
@@ -42,7 +41,7 @@ inline exact_quat exact_slerp(const exact_quat& a, const exact_quat& b, long dou
 
 inline exact_quat exact_nlerp(const exact_quat& a, const exact_quat& b, long double t) {
     const exact_quat m = sum(1 - t, a, t, b);
-    return sum(1 / length_of(m), m, 0, m);
+    return sum(1 / norm(m), m, 0, m);
 }
 
 // A rotation at that distance from q, in a random direction.

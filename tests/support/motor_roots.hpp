@@ -6,16 +6,18 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "support/motors.hpp"
+#include "support/usable_isas.hpp"
 #include "swivel/motor.hpp"
 
 namespace swivel::tests {
 
-inline constexpr precision both_precisions[] = {precision::fast, precision::reproducible};
 inline constexpr std::size_t n = 20011;
-inline constexpr long double pi = 3.14159265358979323846264338327950288L;
+inline constexpr long double pi = std::numbers::pi_v<long double>;
 
-inline long double size_of(const motion& m) { return length_of(m.t); }
+inline long double size_of(const motion& m) { return norm(m.t); }
 
 // How well the axis is known: near a full turn as badly as the vector part of r is short.
 inline long double conditioning(const motion& m) {
@@ -110,7 +112,7 @@ void exp_of_log_is_the_motor(std::uint64_t seed) {
         for (std::size_t i = 0; i < n; ++i) {
             const motion m = motion_of(w.m.get(i));
             const exact_vec3 b = widen<long double>(w.b.get(i)), e = widen<long double>(w.e.get(i));
-            ASSERT_LE(length_of(b), pi * (1 + 4 * rounding_unit<T>));
+            ASSERT_LE(norm(b), pi * (1 + 4 * rounding_unit<T>));
             const double by = 1 / static_cast<double>(conditioning(m));
             const motor_error f = exact_distance<T>(exact_exp(b, e), m);
             real = std::max(real, f.real);

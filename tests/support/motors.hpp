@@ -4,12 +4,13 @@
 // Motors to test with, and rigid motions in long double as a rotation and a translation, taken apart as
 // Chasles does: no dual quaternion takes part in the judging.
 
+#include <numbers>
+
 #include "support/buffers.hpp"
 #include "support/interpolation.hpp"
+#include "support/vectors.hpp"
 
 namespace swivel::tests {
-
-using exact_vec3 = vec3<long double>;
 
 struct motion {
     exact_quat q;
@@ -18,16 +19,6 @@ struct motion {
 
 inline exact_vec3 sum(const exact_vec3& a, long double s, const exact_vec3& b) {
     return {a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
-}
-inline exact_vec3 cross(const exact_vec3& a, const exact_vec3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-inline long double dot(const exact_vec3& a, const exact_vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline long double length_of(const exact_vec3& a) { return std::sqrt(dot(a, a)); }
-
-inline exact_vec3 rotated(const exact_quat& q, const exact_vec3& v) {
-    const exact_quat r = times(times(q, exact_quat{v.x, v.y, v.z, 0}), conjugate(q));
-    return {r.x, r.y, r.z};
 }
 inline exact_vec3 moved(const motion& m, const exact_vec3& p) { return sum(rotated(m.q, p), 1, m.t); }
 
@@ -48,7 +39,7 @@ inline exact_quat dual_part(const motion& m) {
 template <class T>
 motion motion_of(const dual_quaternion<T>& m) {
     const exact_quat q = unit_of(m.r), d = widen<long double>(m.d);
-    const long double length = length_of(widen<long double>(m.r));
+    const long double length = norm(widen<long double>(m.r));
     const exact_quat t = times(d, conjugate(q));
     return {q, {2 * t.x / length, 2 * t.y / length, 2 * t.z / length}};
 }
@@ -58,12 +49,12 @@ inline motion power(const motion& m, long double s) {
     const long double sine = std::sqrt(m.q.x * m.q.x + m.q.y * m.q.y + m.q.z * m.q.z);
     if (sine == 0 && m.q.w > 0) return {{0, 0, 0, 1}, sum({0, 0, 0}, s, m.t)};
     const exact_vec3 u{m.q.x / sine, m.q.y / sine, m.q.z / sine};
-    const long double half = std::atan2(sine, m.q.w), way = dot(m.t, u);
-    const exact_vec3 across = sum(m.t, -way, u), aside = cross(u, across);
+    const long double half = std::atan2(sine, m.q.w), way = dotted(m.t, u);
+    const exact_vec3 across = sum(m.t, -way, u), aside = crossed(u, across);
     // c is half of `across` and of `aside` times the cotangent of half the angle.
     const exact_vec3 c = sum({0.5L * across.x, 0.5L * across.y, 0.5L * across.z}, 0.5L * m.q.w / sine, aside);
     const long double part = s * half, versine = 2 * std::sin(part) * std::sin(part);
-    const exact_vec3 t = sum(sum(sum({0, 0, 0}, versine, c), -std::sin(2 * part), cross(u, c)), s * way, u);
+    const exact_vec3 t = sum(sum(sum({0, 0, 0}, versine, c), -std::sin(2 * part), crossed(u, c)), s * way, u);
     return {{std::sin(part) * u.x, std::sin(part) * u.y, std::sin(part) * u.z, std::cos(part)}, t};
 }
 
@@ -76,10 +67,10 @@ struct motor_error {
 template <class T>
 motor_error distance(const dual_quaternion<T>& got, const motion& want, long double size) {
     const double unit = rounding_unit<T>;
-    return {static_cast<double>(length_of(minus(widen<long double>(got.r), want.q))) / unit,
-            static_cast<double>(length_of(minus(widen<long double>(got.d), dual_part(want))) /
-                                std::max(1.0L, size)) /
-                unit};
+    return {
+        static_cast<double>(norm(minus(widen<long double>(got.r), want.q))) / unit,
+        static_cast<double>(norm(minus(widen<long double>(got.d), dual_part(want))) / std::max(1.0L, size)) /
+            unit};
 }
 
 template <class T>
@@ -114,7 +105,7 @@ inline motion motion_by(generator& g, long double half, double translation) {
 inline motion any_motion(generator& g) {
     const double translation = uniform(g, 0, 4);
     const auto tiny = [&] { return std::ldexp(uniform(g, 0.5, 1), -static_cast<int>(g() % 60)); };
-    const long double pi = 3.14159265358979323846264338327950288L;
+    const long double pi = std::numbers::pi_v<long double>;
     switch (g() % 6) {
         case 0:
             return motion_by(g, tiny(), translation);

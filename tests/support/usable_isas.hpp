@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "swivel/isa.hpp"
+#include "swivel/types.hpp"
 
 namespace swivel::tests {
 
@@ -26,6 +27,8 @@ protected:
 private:
     isa before_ = active_isa();
 };
+
+inline constexpr precision both_precisions[] = {precision::fast, precision::reproducible};
 
 inline const char* name(precision p) { return p == precision::fast ? "fast" : "reproducible"; }
 

@@ -23,13 +23,15 @@ W dotted(const vec3<W>& a, const vec3<W>& b) {
 }
 
 template <class W>
-W length(const vec3<W>& v) {
-    return root(dotted(v, v));
-}
-
-template <class W>
 vec3<W> difference(const vec3<W>& a, const vec3<W>& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+// q v q*
+template <class W>
+vec3<W> rotated(const quat<W>& q, const vec3<W>& v) {
+    const quat<W> r = times(times(q, quat<W>{v.x, v.y, v.z, 0}), conjugate(q));
+    return {r.x, r.y, r.z};
 }
 
 // The product b a of two vectors as a quaternion.
