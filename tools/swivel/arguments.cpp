@@ -124,9 +124,9 @@ void add_pole_threshold(CLI::App& app, double& value) {
                    throw CLI::ValidationError("--pole-threshold", "'" + given + "' is no number from 0 to 1");
                value = number.value;
            },
-           "The twist is left out near the pole, where w^2 + (a.v)^2 <= T |q|^2, that is where the cosine of "
-           "half "
-           "the swing is at most the root of T; T from 0 to 1 (default: 2^-106 for f64, 2^-48 for f32)")
+           "The twist is left out near the pole, where w^2 + (a.v)^2 <= T |q|^2, that is where the cosine "
+           "of half the swing is at most the root of T; T from 0 to 1 (default: 2^-106 for f64, 2^-48 for "
+           "f32)")
         ->type_name("T");
 }
 

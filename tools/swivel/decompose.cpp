@@ -200,7 +200,8 @@ std::string headline(const std::string& file, const clip::clip& c, const swivel:
 }
 
 constexpr std::string_view legend =
-    "\nAngles in degrees: twist in [-180, 180], swing in [0, 180].\n"
+    "\n"
+    "Angles in degrees: twist in [-180, 180], swing in [0, 180].\n"
     "axis: in the frame of the joint; from: what gave it, see --help.\n"
     "near pole: frames with a swing beyond 179 degrees, where the twist is ill conditioned.\n"
     "twist jump: the largest change from one frame to the next, the shorter way round; frames count from "
@@ -244,10 +245,9 @@ void decompose_clip(const decompose_arguments& arguments) {
 }
 
 constexpr const char* footer =
-    "Summary: one row a joint with the range of twist and swing, the number of frames near the pole (a "
-    "swing\n"
-    "beyond 179 degrees, where the twist is ill conditioned), and the largest change of the twist from one\n"
-    "frame to the next, the shorter way round.\n\n"
+    "Summary: one row a joint with the range of twist and swing, the number of frames near the pole (a\n"
+    "swing beyond 179 degrees, where the twist is ill conditioned), and the largest change of the twist\n"
+    "from one frame to the next, the shorter way round.\n\n"
     "--axis auto, and what the summary calls it:\n"
     "  child             the offset of the only child\n"
     "  mean of children  the mean of the offsets of several children\n"
@@ -256,11 +256,9 @@ constexpr const char* footer =
     "  none              nothing gives a direction: y\n\n"
     "--out: a header row, then one row for each joint and frame, all frames of one joint before the next:\n"
     "  frame,time,joint,sx,sy,sz,sw,tx,ty,tz,tw,twist_degrees,swing_degrees\n"
-    "Frames count from 0, time is in seconds. tw is never negative, so that twist_degrees is in [-180, 180] "
-    "and\n"
-    "the product of the factors is the joint's rotation as q or -q. With `--out -` the summary goes to "
-    "standard\n"
-    "error.\n\n"
+    "Frames count from 0, time is in seconds. tw is never negative, so that twist_degrees is in [-180, 180]\n"
+    "and the product of the factors is the joint's rotation as q or -q. With `--out -` the summary goes to\n"
+    "standard error.\n\n"
     "Examples:\n"
     "  swivel decompose walk.bvh\n"
     "  swivel decompose walk.bvh --joint LeftArm --joint RightArm --out arms.csv\n"

@@ -151,9 +151,8 @@ constinit const eval_operation eval_dot = {
 constinit const eval_operation eval_align_signs = {
     "align_signs",
     "Of q and -q, the same rotation, the one on the side of its neighbour",
-    "Reads qx qy qz qw and the neighbour nx ny nz nw; with --sequence qx qy qz qw alone, the neighbour being "
-    "the\n"
-    "row before. Writes qx qy qz qw.\n\n"
+    "Reads qx qy qz qw and the neighbour nx ny nz nw; with --sequence qx qy qz qw alone, the neighbour\n"
+    "being the row before. Writes qx qy qz qw.\n\n"
     "Examples:\n"
     "  swivel eval align_signs --sequence rotations.csv",
     add_align_signs_options,

@@ -47,9 +47,8 @@ constinit const eval_operation eval_shortest_arc = {
 constinit const eval_operation eval_arc_with_twist = {
     "arc_with_twist",
     "Rotations from one vector to another, by the angle of their twist",
-    "Reads vx vy vz and wx wy wz, of any length, and with --angle column angle, in radians. Writes qx qy qz "
-    "qw, which "
-    "turns v to the direction of w.\n\n"
+    "Reads vx vy vz and wx wy wz, of any length, and with --angle column angle, in radians. Writes qx qy qz\n"
+    "qw, which turns v to the direction of w.\n\n"
     "Examples:\n"
     "  printf 'vx vy vz wx wy wz\\n1 0 0 0 2 0\\n' | swivel eval arc_with_twist --angle 0.5\n"
     "  swivel eval arc_with_twist --angle column --product twist-swing bones.csv",

@@ -21,9 +21,7 @@ swivel::status run_reverse(const eval_settings& settings, const eval_block<T>& i
 template <class T>
 swivel::status run_from_motor(const eval_settings& settings, const eval_block<T>& in,
                               const eval_block<T>& out) {
-    const swivel::quat_view<T> q = in.quaternion(0), d = in.quaternion(1);
-    const swivel::motor_view<const T> motors{q.x, q.y, q.z, q.w, d.x, d.y, d.z, d.w, q.size, q.stride};
-    return swivel::from_motor(motors, out.conformal(0), settings.options);
+    return swivel::from_motor(swivel::motor_view<const T>(in.motor(0)), out.conformal(0), settings.options);
 }
 
 template <class T>
@@ -93,23 +91,13 @@ swivel::status run_split(const eval_settings& settings, const eval_block<T>& in,
                          out.scalar(2), settings.options);
 }
 
-void add_t(CLI::App& app, eval_settings& settings) {
-    add_parameter(app, "--t", settings.t,
-                  "The exponent or the way gone; column: one of its own for every row (default: 0.5)");
-}
-
-eval_columns with_t(eval_columns columns, const eval_settings& settings) {
-    if (std::holds_alternative<parameter_column>(settings.t)) columns.in.push_back({group_kind::scalar, "t"});
-    return columns;
-}
-
 }  // namespace
 
 constinit const eval_operation eval_conformal_multiply = {
     "conformal_multiply",
     "Products of conformal rotors",
-    "Reads as a12 a13 a14 a15 a23 a24 a25 a34 a35 a45 a1234 a1235 a1245 a1345 a2345, even elements of the "
-    "conformal algebra of space, and the same of b. Writes rs r12 ... r2345, the geometric product a b: "
+    "Reads as a12 a13 a14 a15 a23 a24 a25 a34 a35 a45 a1234 a1235 a1245 a1345 a2345, even elements of the\n"
+    "conformal algebra of space, and the same of b. Writes rs r12 ... r2345, the geometric product a b:\n"
     "first b, then a.\n\n"
     "Examples:\n"
     "  swivel eval conformal_multiply rotors.csv",
@@ -137,14 +125,12 @@ constinit const eval_operation eval_conformal_reverse = {
 constinit const eval_operation eval_conformal_from_motor = {
     "conformal_from_motor",
     "Conformal rotors of motors",
-    "Reads qx qy qz qw, the rotation, and dx dy dz dw, half of the translation times it. Writes rs r12 ... "
-    "r2345.\n\n"
+    "Reads mx my mz mw mdx mdy mdz mdw. Writes rs r12 ... r2345.\n\n"
     "Examples:\n"
-    "  printf 'qx qy qz qw dx dy dz dw\\n0 0 1 0 0.5 0 0 0\\n' | swivel eval conformal_from_motor",
+    "  printf 'mx my mz mw mdx mdy mdz mdw\\n0 0 1 0 0.5 0 0 0\\n' | swivel eval conformal_from_motor",
     add_no_options,
     [](const eval_settings&) {
-        return eval_columns{{{group_kind::quaternion, "q"}, {group_kind::quaternion, "d"}},
-                            {{group_kind::conformal, "r"}}};
+        return eval_columns{{{group_kind::motor, "m"}}, {{group_kind::conformal, "r"}}};
     },
     run_from_motor<float>,
     run_from_motor<double>};
@@ -205,7 +191,7 @@ constinit const eval_operation eval_conformal_transform = {
 constinit const eval_operation eval_conformal_square_root = {
     "conformal_square_root",
     "Half of conformal motions",
-    "Reads rs r12 ... r2345. Writes hs h12 ... h2345, whose square is r, and unique: 0 where there is no "
+    "Reads rs r12 ... r2345. Writes hs h12 ... h2345, whose square is r, and unique: 0 where there is no\n"
     "such root or more than one.\n\n"
     "Examples:\n"
     "  swivel eval conformal_square_root rotors.csv",
@@ -234,7 +220,7 @@ constinit const eval_operation eval_conformal_exp = {
 constinit const eval_operation eval_conformal_log = {
     "conformal_log",
     "Bivectors of conformal rotors",
-    "Reads rs r12 ... r2345. Writes b12 ... b45, and unique: 0 where there is no logarithm or more than "
+    "Reads rs r12 ... r2345. Writes b12 ... b45, and unique: 0 where there is no logarithm or more than\n"
     "one.\n\n"
     "Examples:\n"
     "  swivel eval conformal_log rotors.csv",
@@ -249,11 +235,11 @@ constinit const eval_operation eval_conformal_log = {
 constinit const eval_operation eval_conformal_power = {
     "conformal_power",
     "Parts or multiples of conformal motions",
-    "Reads rs r12 ... r2345, and with --t column t. Writes ps p12 ... p2345, and unique: 0 where there is no "
-    "power or more than one.\n\n"
+    "Reads rs r12 ... r2345, and with --t column t. Writes ps p12 ... p2345, and unique: 0 where there is\n"
+    "no power or more than one.\n\n"
     "Examples:\n"
     "  swivel eval conformal_power --t 0.25 rotors.csv",
-    add_t,
+    add_exponent,
     [](const eval_settings& settings) {
         return with_t(eval_columns{{{group_kind::conformal, "r"}},
                                    {{group_kind::conformal, "p"}, {group_kind::scalar, "unique"}}},
@@ -265,8 +251,8 @@ constinit const eval_operation eval_conformal_power = {
 constinit const eval_operation eval_conformal_interpolate = {
     "conformal_interpolate",
     "Conformal motions between two",
-    "Reads as a12 ... a2345 and bs b12 ... b2345, and with --t column t. Writes rs r12 ... r2345, the motion "
-    "at t on the way from a (0) to b (1), and unique: 0 where there is more than one way.\n\n"
+    "Reads as a12 ... a2345 and bs b12 ... b2345, and with --t column t. Writes rs r12 ... r2345, the\n"
+    "motion at t on the way from a (0) to b (1), and unique: 0 where there is more than one way.\n\n"
     "Examples:\n"
     "  swivel eval conformal_interpolate --t 0.25 rotors.csv",
     add_t,
@@ -281,7 +267,7 @@ constinit const eval_operation eval_conformal_interpolate = {
 constinit const eval_operation eval_conformal_split = {
     "conformal_split",
     "The two commuting parts of bivectors",
-    "Reads b12 b13 b14 b15 b23 b24 b25 b34 b35 b45. Writes f12 ... f45, the larger turn, g12 ... g45, the "
+    "Reads b12 b13 b14 b15 b23 b24 b25 b34 b35 b45. Writes f12 ... f45, the larger turn, g12 ... g45, the\n"
     "rest, and unique: 0 where the parts are not unique.\n\n"
     "Examples:\n"
     "  swivel eval conformal_split rotors.csv",

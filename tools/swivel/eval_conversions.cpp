@@ -147,10 +147,8 @@ constinit const eval_operation eval_to_spinor = {
 constinit const eval_operation eval_from_matrix = {
     "from_matrix",
     "Rotations from matrices that turn column vectors",
-    "Reads mxx mxy mxz myx myy myz mzx mzy mzz, mxy being row x, column y. Writes qx qy qz qw, of unit "
-    "length "
-    "and\n"
-    "with qw not negative.\n\n"
+    "Reads mxx mxy mxz myx myy myz mzx mzy mzz, mxy being row x, column y. Writes qx qy qz qw, of unit\n"
+    "length and with qw not negative.\n\n"
     "Examples:\n"
     "  printf 'mxx mxy mxz myx myy myz mzx mzy mzz\\n0 -1 0 1 0 0 0 0 1\\n' | swivel eval from_matrix",
     add_no_options,
@@ -163,7 +161,7 @@ constinit const eval_operation eval_from_matrix = {
 constinit const eval_operation eval_to_matrix = {
     "to_matrix",
     "Rotations as matrices that turn column vectors",
-    "Reads qx qy qz qw, of any length. Writes mxx mxy mxz myx myy myz mzx mzy mzz, mxy being row x, column "
+    "Reads qx qy qz qw, of any length. Writes mxx mxy mxz myx myy myz mzx mzy mzz, mxy being row x, column\n"
     "y.\n\n"
     "Examples:\n"
     "  printf 'qx qy qz qw\\n0 0 0.6 0.8\\n' | swivel eval to_matrix",
@@ -190,10 +188,9 @@ constinit const eval_operation eval_from_euler = {
 constinit const eval_operation eval_to_euler = {
     "to_euler",
     "Rotations as three angles about the coordinate axes",
-    "Reads qx qy qz qw, of any length. Writes ex ey ez, the angles about x, y and z in radians: the second "
-    "of "
-    "the\n"
-    "order in [-pi/2, pi/2], the others in [-pi, pi]. Where the second is pi/2 or -pi/2 the third is 0.\n\n"
+    "Reads qx qy qz qw, of any length. Writes ex ey ez, the angles about x, y and z in radians: the second\n"
+    "of the order in [-pi/2, pi/2], the others in [-pi, pi]. Where the second is pi/2 or -pi/2 the third is\n"
+    "0.\n\n"
     "Examples:\n"
     "  printf 'qx qy qz qw\\n0 0 0.6 0.8\\n' | swivel eval to_euler --order zxy",
     add_order,

@@ -9,12 +9,6 @@ void add_exponent(CLI::App& app, eval_settings& settings) {
 
 namespace {
 
-eval_columns power_columns(const eval_settings& settings) {
-    eval_columns columns{{{group_kind::quaternion, "q"}}, {{group_kind::quaternion, "r"}}};
-    if (std::holds_alternative<parameter_column>(settings.t)) columns.in.push_back({group_kind::scalar, "t"});
-    return columns;
-}
-
 template <class T>
 swivel::status run_square_root(const eval_settings& settings, const eval_block<T>& in,
                                const eval_block<T>& out) {
@@ -43,9 +37,8 @@ swivel::status run_power(const eval_settings& settings, const eval_block<T>& in,
 constinit const eval_operation eval_square_root = {
     "square_root",
     "Half of a rotation",
-    "Reads qx qy qz qw, of any length. Writes rx ry rz rw, the unit quaternion whose square is that of q, "
-    "with "
-    "rw >= 0.\n\n"
+    "Reads qx qy qz qw, of any length. Writes rx ry rz rw, the unit quaternion whose square is that of q,\n"
+    "with rw >= 0.\n\n"
     "Examples:\n"
     "  printf 'qx qy qz qw\\n0 0 1 0\\n' | swivel eval square_root",
     add_no_options,
@@ -71,7 +64,7 @@ constinit const eval_operation eval_exp = {
 constinit const eval_operation eval_log = {
     "log",
     "Rotation vectors of rotations",
-    "Reads qx qy qz qw, of any length. Writes bx by bz, half of the angle in radians times the axis, of "
+    "Reads qx qy qz qw, of any length. Writes bx by bz, half of the angle in radians times the axis, of\n"
     "length 0 to pi.\n\n"
     "Examples:\n"
     "  printf 'qx qy qz qw\\n0 0 1 1\\n' | swivel eval log",
@@ -85,14 +78,15 @@ constinit const eval_operation eval_log = {
 constinit const eval_operation eval_power = {
     "power",
     "Parts or multiples of rotations",
-    "Reads qx qy qz qw, of any length, and with --t column t. Writes rx ry rz rw, the rotation about the "
-    "same axis by t "
-    "times the angle.\n\n"
+    "Reads qx qy qz qw, of any length, and with --t column t. Writes rx ry rz rw, the rotation about the\n"
+    "same axis by t times the angle.\n\n"
     "Examples:\n"
     "  printf 'qx qy qz qw\\n0 0 1 1\\n' | swivel eval power --t 0.5\n"
     "  swivel eval power --t column rotations.csv",
     add_exponent,
-    power_columns,
+    [](const eval_settings& settings) {
+        return with_t({{{group_kind::quaternion, "q"}}, {{group_kind::quaternion, "r"}}}, settings);
+    },
     run_power<float>,
     run_power<double>};
 

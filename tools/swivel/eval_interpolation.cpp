@@ -5,10 +5,14 @@
 
 namespace swivel::command {
 
-void add_t_and_way(CLI::App& app, eval_settings& settings) {
+void add_t(CLI::App& app, eval_settings& settings) {
     add_parameter(
         app, "--t", settings.t,
         "How far from a to b, 0 to 1 and beyond; column: one for every row, in the column t (default: 0.5)");
+}
+
+void add_t_and_way(CLI::App& app, eval_settings& settings) {
+    add_t(app, settings);
     add_choice(app, "--way", settings.options.long_way, {{"short", false}, {"long", true}},
                "By way of the nearer or the further of b and -b");
 }
@@ -46,8 +50,7 @@ void add_rotation_options(CLI::App& app, eval_settings& settings) {
                "Where the axis is given: in the world, as it lies at a, or in the body that a and b turn");
     app.add_flag("--tip", settings.tip,
                  "Write px py pz too, where the axis points to on its way, and off, its angle in radians "
-                 "from the great "
-                 "circle between its ends");
+                 "from the great circle between its ends");
 }
 
 void add_sterp_options(CLI::App& app, eval_settings& settings) {
@@ -214,12 +217,12 @@ constinit const eval_operation eval_nlerp = {
 constinit const eval_operation eval_sterp = {
     "sterp",
     "Between two rotations, the axis by the shortest way and the twist about it",
-    "Reads ax ay az aw bx by bz bw, with --axis columns nx ny nz, t with --t column, t_twist with --t-twist "
+    "Reads ax ay az aw bx by bz bw, with --axis columns nx ny nz, t with --t column, t_twist with --t-twist\n"
     "column.\n"
     "Writes qx qy qz qw.\n\n"
     "Examples:\n"
-    "  printf 'ax ay az aw bx by bz bw t\\n0 0 0 1 0.5 0.5 0.5 0.5 0.25\\n' | swivel eval sterp --axis x --t "
-    "column\n"
+    "  printf 'ax ay az aw bx by bz bw t\\n0 0 0 1 0.5 0.5 0.5 0.5 0.25\\n' | swivel eval sterp --axis x "
+    "--t column\n"
     "  swivel eval sterp --axis 0,0,1 --frame body --t 0.5 --tip pairs.csv",
     add_sterp_options,
     columns,

@@ -21,11 +21,6 @@ eval_columns motor_to_motor(const eval_settings&) {
     return {{{group_kind::motor, "m"}}, {{group_kind::motor, "r"}}};
 }
 
-eval_columns with_t(eval_columns columns, const eval_settings& settings) {
-    if (std::holds_alternative<parameter_column>(settings.t)) columns.in.push_back({group_kind::scalar, "t"});
-    return columns;
-}
-
 eval_columns decompose_columns(const eval_settings& settings) {
     eval_columns columns{
         {{group_kind::motor, "m"}},
@@ -140,10 +135,8 @@ swivel::status run_compose(const eval_settings& settings, const eval_block<T>& i
 constinit const eval_operation eval_from_rotation_translation = {
     "from_rotation_translation",
     "Motors that turn, then move",
-    "Reads qx qy qz qw, of unit length, and tx ty tz. Writes the motor mx my mz mw mdx mdy mdz mdw: the "
-    "rotation "
-    "q, and half\n"
-    "of the translation t times it. All operations on motors read and write them so.\n\n"
+    "Reads qx qy qz qw, of unit length, and tx ty tz. Writes the motor mx my mz mw mdx mdy mdz mdw: the\n"
+    "rotation q, and half of the translation t times it. All operations on motors read and write them so.\n\n"
     "Examples:\n"
     "  printf 'qx qy qz qw tx ty tz\\n0 0 0 1 1 2 3\\n' | swivel eval from_rotation_translation",
     add_no_options,
@@ -201,7 +194,7 @@ constinit const eval_operation eval_motor_multiply = {
 constinit const eval_operation eval_motor_conjugate = {
     "motor_conjugate",
     "Motions backwards",
-    "Reads mx my mz mw mdx mdy mdz mdw. Writes rx ry rz rw rdx rdy rdz rdw, the inverse where m is of unit "
+    "Reads mx my mz mw mdx mdy mdz mdw. Writes rx ry rz rw rdx rdy rdz rdw, the inverse where m is of unit\n"
     "length.\n\n"
     "Examples:\n"
     "  printf 'mx my mz mw mdx mdy mdz mdw\\n0 0 0 1 0.5 1 1.5 0\\n' | swivel eval motor_conjugate",
@@ -224,9 +217,8 @@ constinit const eval_operation eval_motor_normalize = {
 constinit const eval_operation eval_motor_square_root = {
     "motor_square_root",
     "Half of a motion",
-    "Reads mx my mz mw mdx mdy mdz mdw, of unit length. Writes rx ry rz rw rdx rdy rdz rdw, whose square is "
-    "m, "
-    "with rw >= 0.\n\n"
+    "Reads mx my mz mw mdx mdy mdz mdw, of unit length. Writes rx ry rz rw rdx rdy rdz rdw, whose square is\n"
+    "m, with rw >= 0.\n\n"
     "Examples:\n"
     "  printf 'mx my mz mw mdx mdy mdz mdw\\n0 0 1 0 1 0 0 0\\n' | swivel eval motor_square_root",
     add_no_options,
@@ -237,10 +229,8 @@ constinit const eval_operation eval_motor_square_root = {
 constinit const eval_operation eval_motor_log = {
     "motor_log",
     "Bivectors of motions",
-    "Reads mx my mz mw mdx mdy mdz mdw, of unit length. Writes bx by bz, half of the angle in radians times "
-    "the "
-    "axis, of\n"
-    "length 0 to pi, and nx ny nz, of a translation half of it.\n\n"
+    "Reads mx my mz mw mdx mdy mdz mdw, of unit length. Writes bx by bz, half of the angle in radians times\n"
+    "the axis, of length 0 to pi, and nx ny nz, of a translation half of it.\n\n"
     "Examples:\n"
     "  printf 'mx my mz mw mdx mdy mdz mdw\\n0 0 1 0 1 0 0 0\\n' | swivel eval motor_log",
     add_no_options,
@@ -268,10 +258,8 @@ constinit const eval_operation eval_motor_exp = {
 constinit const eval_operation eval_motor_power = {
     "motor_power",
     "Parts or multiples of motions",
-    "Reads mx my mz mw mdx mdy mdz mdw, of unit length, and with --t column t. Writes rx ry rz rw rdx rdy "
-    "rdz "
-    "rdw, t times\n"
-    "as far along the same screw.\n\n"
+    "Reads mx my mz mw mdx mdy mdz mdw, of unit length, and with --t column t. Writes rx ry rz rw rdx rdy\n"
+    "rdz rdw, t times as far along the same screw.\n\n"
     "Examples:\n"
     "  printf 'mx my mz mw mdx mdy mdz mdw\\n0 0 1 0 1 0 0 0\\n' | swivel eval motor_power --t 0.25\n"
     "  swivel eval motor_power --t column motions.csv",
@@ -283,10 +271,8 @@ constinit const eval_operation eval_motor_power = {
 constinit const eval_operation eval_sclerp = {
     "sclerp",
     "Between two poses on a screw at constant speed",
-    "Reads ax ay az aw adx ady adz adw and bx by bz bw bdx bdy bdz bdw, of unit length, and t with --t "
-    "column. "
-    "Writes\n"
-    "mx my mz mw mdx mdy mdz mdw.\n\n"
+    "Reads ax ay az aw adx ady adz adw and bx by bz bw bdx bdy bdz bdw, of unit length, and t with --t\n"
+    "column. Writes mx my mz mw mdx mdy mdz mdw.\n\n"
     "Examples:\n"
     "  printf 'ax ay az aw adx ady adz adw bx by bz bw bdx bdy bdz bdw\\n"
     "0 0 0 1 0 0 0 0 0 0 1 0 1 0 0 0\\n' |\n"
@@ -303,10 +289,8 @@ constinit const eval_operation eval_sclerp = {
 constinit const eval_operation eval_blend = {
     "blend",
     "Weighted means of motors, as in dual quaternion skinning",
-    "Reads for each of the --motors motors its columns and its weight: m1x m1y m1z m1w m1dx m1dy m1dz m1dw "
-    "w1, "
-    "m2x ... w2\n"
-    "and so on. Writes mx my mz mw mdx mdy mdz mdw.\n\n"
+    "Reads for each of the --motors motors its columns and its weight: m1x m1y m1z m1w m1dx m1dy m1dz m1dw\n"
+    "w1, m2x ... w2 and so on. Writes mx my mz mw mdx mdy mdz mdw.\n\n"
     "Examples:\n"
     "  printf 'm1x m1y m1z m1w m1dx m1dy m1dz m1dw w1 m2x m2y m2z m2w m2dx m2dy m2dz m2dw w2\\n"
     "0 0 0 1 0 0 0 0 0.75 0 0 1 0 1 0 0 0 0.25\\n' |\n"
@@ -324,10 +308,9 @@ constinit const eval_operation eval_blend = {
 constinit const eval_operation eval_motor_decompose = {
     "motor_decompose",
     "Motions into swing, twist and translation",
-    "Reads mx my mz mw mdx mdy mdz mdw, and with --axis columns ax ay az. Writes sx sy sz sw tx ty tz tw, "
-    "swing "
-    "and twist of\n"
-    "the rotation as decompose does, and px py pz, the translation: where the origin goes.\n\n"
+    "Reads mx my mz mw mdx mdy mdz mdw, and with --axis columns ax ay az. Writes sx sy sz sw tx ty tz tw,\n"
+    "swing and twist of the rotation as decompose does, and px py pz, the translation: where the origin\n"
+    "goes.\n\n"
     "Examples:\n"
     "  printf 'mx my mz mw mdx mdy mdz mdw\\n0 0 1 0 1 0 0 0\\n' | swivel eval motor_decompose --axis z\n"
     "  swivel eval motor_decompose --axis 0.6,0,0.8 --product twist-swing poses.csv",

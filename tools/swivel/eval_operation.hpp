@@ -85,9 +85,13 @@ template <class T>
 // For operations that have no options of their own.
 inline void add_no_options(CLI::App&, eval_settings&) {}
 
-// --t of a power, and --t and --way of what goes from a to b.
+// --t of a power, and --t, or --t and --way, of what goes from a to b.
 void add_exponent(CLI::App& app, eval_settings& settings);
+void add_t(CLI::App& app, eval_settings& settings);
 void add_t_and_way(CLI::App& app, eval_settings& settings);
+
+// With --t column, the column t too.
+[[nodiscard]] eval_columns with_t(eval_columns columns, const eval_settings& settings);
 
 // The parameter, or where it is a column the scalars of the group.
 template <class T>

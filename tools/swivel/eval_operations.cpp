@@ -72,6 +72,11 @@ std::vector<column_group> rotation_columns(const eval_settings& settings) {
     return groups;
 }
 
+eval_columns with_t(eval_columns columns, const eval_settings& settings) {
+    if (std::holds_alternative<parameter_column>(settings.t)) columns.in.push_back({group_kind::scalar, "t"});
+    return columns;
+}
+
 template <class T>
 swivel::twist_axis<T> axis_of_rows(const eval_settings& settings, const eval_block<T>& in) noexcept {
     if (const auto* const vector = std::get_if<axis_vector>(&settings.axis)) {

@@ -27,7 +27,7 @@ swivel::status run(const eval_settings& settings, const eval_block<T>& in, const
 constinit const eval_operation eval_twist_angle = {
     "twist_angle",
     "The angle of the twist",
-    "Reads qx qy qz qw, and with --axis columns ax ay az. Writes angle, in radians in (-2 pi, 2 pi], the "
+    "Reads qx qy qz qw, and with --axis columns ax ay az. Writes angle, in radians in (-2 pi, 2 pi], the\n"
     "same for both products.\n\n"
     "Examples:\n"
     "  printf 'qx qy qz qw\\n0 0 1 0\\n' | swivel eval twist_angle --axis z\n"
