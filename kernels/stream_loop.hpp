@@ -186,7 +186,7 @@ template <class V, class Op, class Wide>
 [[gnu::flatten]] void twin_loop(const batch<scalar_of<V>>& b) noexcept {
     constexpr std::make_index_sequence<Op::inputs> inputs;
     constexpr std::make_index_sequence<Op::outputs> outputs;
-    if constexpr (has_32_registers)
+    if constexpr (takes_twins)
         twin_loop<V, Op, Wide>(b, inputs, outputs);
     else
         stream_loop<V, Op>(b, inputs, outputs);
