@@ -2,7 +2,7 @@
 # Builds swivel and runs its tests. Installs what is missing on Debian 12, as root or with sudo.
 #
 # usage: tools/test.sh [CTEST-OPTION...]   with g++, optimised, warnings are errors
-#        tools/test.sh --matrix [STEP]     with all compilers, checkers, processors and releases of xsimd (or the
+#        tools/test.sh --matrix [STEP]     with all other compilers, checkers, processors and releases of xsimd (or the
 #                                          steps whose name contains STEP); lists at the end what failed
 #        tools/test.sh --help
 set -euo pipefail
