@@ -29,8 +29,9 @@ inline V size_of(const V* r) noexcept {
     return sum;
 }
 
+// The scalar part of the square of the bivector.
 template <precision_index P, class V>
-inline void find_parts(const V* r, even_parts<V>& p) noexcept {
+inline V bivector_square(const V* r) noexcept {
     using M = arithmetic<P>;
     const auto less = [](V a, V sum) { return M::negate_multiply_add(a, a, sum); };
     // Of what is null nothing is left, as e4 and e5 come in differences.
@@ -38,7 +39,14 @@ inline void find_parts(const V* r, even_parts<V>& p) noexcept {
     s = M::multiply_add(r[e25] - r[e24], r[e25] + r[e24], s);
     s = M::multiply_add(r[e35] - r[e34], r[e35] + r[e34], s);
     s = M::multiply_add(r[e45], r[e45], s);
-    p.bivector_squared = less(r[e23], less(r[e13], less(r[e12], s)));
+    return less(r[e23], less(r[e13], less(r[e12], s)));
+}
+
+template <precision_index P, class V>
+inline void find_parts(const V* r, even_parts<V>& p) noexcept {
+    using M = arithmetic<P>;
+    const auto less = [](V a, V sum) { return M::negate_multiply_add(a, a, sum); };
+    p.bivector_squared = bivector_square<P>(r);
     const V g = (r[e1234] - r[e1235]) * (r[e1234] + r[e1235]);
     p.four_squared = less(r[e2345], less(r[e1345], less(r[e1245], g)));
     p.bivector_size = size_of<P, first_bivector, first_four_vector>(r);
@@ -136,7 +144,7 @@ inline regular_rotor<V> find_regular(V scalar, const even_parts<V>& p) noexcept 
     const V size = p.bivector_size + p.four_size;
     const V limit(C::largest_blade * C::largest_blade);
     const mask_of<V> inside = scalar * scalar + size <= limit;
-    const mask_of<V> found = own.regular | (other.regular & (size > noise));
+    const mask_of<V> found = own.regular | (other.regular & (size > V(T(16) * C::pole_threshold)));
     return {select(own.regular, one, V(T(-1))), select(own.regular & inside, one, zero),
             select(own.regular, own.k_squared, other.k_squared),
             select(own.regular, own.n_squared, other.n_squared), ~(inside & found)};
@@ -189,23 +197,54 @@ struct conformal_split_op {
     explicit conformal_split_op(const T*) noexcept {}
 
     [[gnu::noinline]] void operator()(const V* in, V* out) const noexcept {
-        const V bad = zero_or_nan<10>(in);
+        const V zero(T(0)), half(T(0.5)), bad = zero_or_nan<10>(in), exponent_bits(C::infinity);
+        // Of any length: the largest component is brought to 2..4.
+        V power(C::smallest_normal), scaled[10];
+        [&]<int... K>(std::integer_sequence<int, K...>) __attribute__((always_inline)) {
+            ((power = larger(power, magnitude(in[K]))), ...);
+            power = power & exponent_bits;
+            ((scaled[K] = in[K] * (power ^ exponent_bits)), ...);
+        }
+        (std::make_integer_sequence<int, 10>());
+        const V back = half * power;
+
         V r[16], big, small;
         even_parts<V> p;
-        r[0] = V(T(0));
-        put_with_half_square<P>(in, r);
+        r[0] = zero;
+        put_with_half_square<P>(scaled, r);
         find_parts<P>(r, p);
         find_roots<P>(p.bivector_squared ^ V(T(-0.0)), p.four_squared, big, small);
-        const V apart = big - small;
-        const mask_of<V> unique = (apart > V(C::noise) * p.bivector_size) &
-                                  (p.bivector_size <= V(C::largest_blade * C::largest_blade));
+
+        // Of angles that are alike, from (a + b)(A + B) and (a - b)(A - B): the difference of the squares is lost in
+        // their rounding long before a - b is.
+        const mask_of<V> alike = V(T(4)) * small > big;
+        const V over_root = ratio(V(T(1)), square_root_of(larger(p.four_squared, zero)), zero);
+        V sums[16], differences[16];
         [&]<int... K>(std::integer_sequence<int, K...>) __attribute__((always_inline)) {
-            ((out[K] = select(unique, quotient(M::multiply_add(big, in[K], p.mixed[K]), apart), in[K]) + bad),
+            ((sums[1 + K] = M::negate_multiply_add(over_root, p.mixed[K], r[1 + K])), ...);
+            ((differences[1 + K] = M::multiply_add(over_root, p.mixed[K], r[1 + K])), ...);
+        }
+        (std::make_integer_sequence<int, 10>());
+        const V sum = square_root_of(larger(bivector_square<P>(sums) * V(T(-0.5)), zero));
+        const V difference = square_root_of(larger(bivector_square<P>(differences) * V(T(-0.5)), zero));
+        const V a = half * (sum + difference), half_a = half * a;
+        const V of_sums = ratio(half_a, sum, zero), of_differences = ratio(half_a, difference, zero);
+
+        const V apart = select(alike, sum * difference, big - small);
+        const mask_of<V> unique = apart > V(C::noise) * p.bivector_size;
+        [&]<int... K>(std::integer_sequence<int, K...>) __attribute__((always_inline)) {
+            ((out[K] = select(unique,
+                              back * select(alike,
+                                            M::multiply_add(of_sums, sums[1 + K],
+                                                            of_differences * differences[1 + K]),
+                                            quotient(M::multiply_add(big, r[1 + K], p.mixed[K]), apart)),
+                              in[K]) +
+                       bad),
              ...);
             ((out[10 + K] = in[K] - out[K]), ...);
         }
         (std::make_integer_sequence<int, 10>());
-        out[20] = select(unique, V(T(1)), V(T(0))) + bad;
+        out[20] = select(unique, V(T(1)), zero) + bad;
     }
 };
 

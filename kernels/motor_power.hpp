@@ -33,7 +33,10 @@ struct screw {
 template <class V>
 inline mask_of<V> is_minus_one(const rotor<V>& r) noexcept {
     using T = scalar_of<V>;
-    return (r.w < V(T(0))) & (largest_magnitude(r.x, r.y, r.z) <= V(constants<T>::rounding));
+    const V rounding(constants<T>::rounding);
+    // One by one, since the larger of two may not be the NaN.
+    return (r.w < V(T(0))) & (magnitude(r.x) <= rounding) & (magnitude(r.y) <= rounding) &
+           (magnitude(r.z) <= rounding);
 }
 
 template <class V>
@@ -114,7 +117,7 @@ struct motor_square_root_op {
                          inverse * M::negate_multiply_add(p, r.y, a.d.y),
                          inverse * M::negate_multiply_add(p, r.z, a.d.z), half * p};
         const rotor<V> at_pole{zero, zero, zero, half * q.m};
-        put(poisoned(motor<V>{r, either(pole, at_pole, d)}, zero_or_nan<4>(in + 4)), out);
+        put(poisoned(motor<V>{r, either(pole, at_pole, d)}, zero_or_nan<8>(in)), out);
     }
 };
 

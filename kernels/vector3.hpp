@@ -30,12 +30,16 @@ inline vector3<V> cross_of(const vector3<V>& a, const vector3<V>& b) noexcept {
 }
 
 // Times a power of two, so that the squares are in range whatever the length is, from the smallest subnormal
-// number on: the largest component comes to 2..4, of subnormal ones less. Zero stays zero; NaN and infinity
-// become NaN.
+// number on: the largest component comes to 2..4, of subnormal ones in two steps. Zero stays zero; NaN and
+// infinity become NaN.
 template <class V>
 inline vector3<V> in_range(const V* v) noexcept {
-    const V scale = reciprocal_power_of_two(largest_magnitude(v[0], v[1], v[2]));
-    return {v[0] * scale, v[1] * scale, v[2] * scale};
+    using T = scalar_of<V>;
+    using C = constants<T>;
+    const V largest = largest_magnitude(v[0], v[1], v[2]);
+    const V lift = select(largest < V(C::smallest_normal), V(T(1) / C::rounding), V(T(1)));
+    const V scale = reciprocal_power_of_two(largest * lift);
+    return {v[0] * lift * scale, v[1] * lift * scale, v[2] * lift * scale};
 }
 
 // Divides by the root of a number in the normal range: with quotients, or by way of the reciprocal.

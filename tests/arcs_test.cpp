@@ -294,5 +294,30 @@ TEST_P(Arcs, TwistIsRightHandedByTheAngle) {
     }
 }
 
+// Short of all bits but one or two, and nearly opposite: the axis is what is small in the other vector.
+template <class T>
+void subnormal_vectors() {
+    constexpr T least = std::numeric_limits<T>::denorm_min();
+    vec3_buffer<T> v(1, layout::soa), w(1, layout::soa);
+    quat_buffer<T> q(1, layout::soa);
+    for (const T length : {least, 6 * least, 714 * least, std::numeric_limits<T>::min() / 2})
+        for (int digits = 0; digits < (sizeof(T) == 4 ? 140 : 1060); ++digits) {
+            v.set(0, {length, 0, 0});
+            w.set(0, {-1, std::ldexp(T(1), -digits), std::ldexp(T(-3), -digits)});
+            for (const precision p : both_precisions) {
+                ASSERT_EQ(shortest_arc(v.view(), w.view(), q.view(), {.accuracy = p}), status::ok);
+                errors<T> e;
+                e.add(q.get(0), unit(widen<exact>(v.get(0))), unit(widen<exact>(w.get(0))));
+                ASSERT_LE(e.turned, p == precision::fast ? 11 : 7) << length << ' ' << digits;
+                ASSERT_LE(e.norm, p == precision::fast ? 4 : 3) << length << ' ' << digits;
+            }
+        }
+}
+
+TEST_P(Arcs, SubnormalVectorsTurnLikeAnyOthers) {
+    subnormal_vectors<float>();
+    subnormal_vectors<double>();
+}
+
 }  // namespace
 }  // namespace swivel::tests

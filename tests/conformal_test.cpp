@@ -320,6 +320,158 @@ TEST_P(Conformal, SplitGivesSimplePartsThatCommuteAndAddUp) {
     splits<double>();
 }
 
+// Two turns by nearly the same angle, in planes of all directions: the nearer, the worse, in proportion.
+template <class T>
+void splits_nearly_equal_turns() {
+    generator g(11);
+    bivector_buffer<T> b(n, layout::soa), first(n, layout::soa), second(n, layout::soa);
+    scalar_buffer<T> unique(n, layout::soa);
+    for (std::size_t i = 0; i < n; ++i) {
+        // The sum of two that turn all planes alike, the one to the left, the other to the right.
+        const vec3<double> l = random_direction<double>(g), r = random_direction<double>(g);
+        const double s = std::exp2(-uniform(g, 1, bound<T>(14, 38)));
+        const auto both = [&](double x, double y) { return std::array<double, 2>{x + s * y, x - s * y}; };
+        const std::array<double, 2> p = both(l.x, r.x), q = both(l.y, r.y), o = both(l.z, r.z);
+        set(b, i, bivector<double>{p[0], q[0], o[0], 0, o[1], -q[1], 0, p[1], 0, 0});
+    }
+    for (const precision accuracy : both_precisions) {
+        ASSERT_EQ(split(b.view(), first.view(), second.view(), unique.view(), {.accuracy = accuracy}),
+                  status::ok);
+        worst rest;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            if (unique[i] == 0) continue;
+            ++count;
+            const bivector<double> whole = get(b, i), one = get(first, i), other = get(second, i);
+            const double size = size_of(whole) * size_of(whole);
+            // (a^2 - b^2) / |B|^2 from the parts that turn to the left and to the right.
+            const double left = std::hypot(whole[0] + whole[7], whole[1] - whole[5], whole[2] + whole[4]);
+            const double right = std::hypot(whole[0] - whole[7], whole[1] + whole[5], whole[2] - whole[4]);
+            const double apart = left * right / size;
+            rest.see(size_of(product_with_itself(one, one, false)) / size * apart);
+            rest.see(size_of(product_with_itself(other, other, false)) / size * apart);
+            rest.see(size_of(product_with_itself(one, other, true)) / size * apart);
+        }
+        EXPECT_GT(count, n * 3 / 4);
+        rest.expect_below(bound<T>(6e-7, 1.5e-15), "split of turns by nearly the same angle", accuracy,
+                          sizeof(T));
+    }
+}
+
+TEST_P(Conformal, SplitOfNearlyEqualTurnsIsAsGoodAsTheyDiffer) {
+    splits_nearly_equal_turns<float>();
+    splits_nearly_equal_turns<double>();
+}
+
+// Of bivectors of any length, in the same bits but for the exponent.
+template <class T>
+void split_scales() {
+    generator g(12);
+    bivector_buffer<T> b(n, layout::soa), first(n, layout::soa), second(n, layout::soa);
+    bivector_buffer<T> scaled(n, layout::soa), first_scaled(n, layout::soa), second_scaled(n, layout::soa);
+    scalar_buffer<T> unique(n, layout::soa), unique_scaled(n, layout::soa);
+    constexpr int most = sizeof(T) == 4 ? 100 : 900;
+    std::vector<int> exponents(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        set(b, i, random_bivector(g));
+        exponents[i] = static_cast<int>(g() % (2 * most)) - most;
+        for (int k = 0; k < 10; ++k) scaled.at(k, i) = std::ldexp(b.at(k, i), exponents[i]);
+    }
+    for (const precision p : both_precisions) {
+        const options o{.accuracy = p};
+        ASSERT_EQ(split(b.view(), first.view(), second.view(), unique.view(), o), status::ok);
+        ASSERT_EQ(split(scaled.view(), first_scaled.view(), second_scaled.view(), unique_scaled.view(), o),
+                  status::ok);
+        for (std::size_t i = 0; i < n; ++i) {
+            ASSERT_EQ(unique_scaled[i], unique[i]);
+            // Components that are nearly 0 beside the others may become subnormal numbers.
+            const T tiny = std::ldexp(std::numeric_limits<T>::min(), 30);
+            for (int k = 0; k < 10; ++k) {
+                const T want = std::ldexp(first.at(k, i), exponents[i]);
+                ASSERT_TRUE(std::fabs(want) <= tiny || first_scaled.at(k, i) == want) << exponents[i];
+            }
+        }
+    }
+}
+
+TEST_P(Conformal, SplitIsTheSameAtEveryLength) {
+    split_scales<float>();
+    split_scales<double>();
+}
+
+// About places far away: the logarithm is large and its rounding too, but power does without.
+template <class T>
+void halves_about_far_places() {
+    generator g(13);
+    conformal_buffer<T> r(n, layout::soa), out(n, layout::soa);
+    scalar_buffer<T> unique(n, layout::soa);
+    std::vector<even<double>> want(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const bivector<double> turn = random_bivector(g);
+        bivector<double> half = turn;
+        for (double& x : half) x *= 0.5;
+        const vec3<double> d = random_direction<double>(g);
+        const double away = std::exp2(uniform(g, 0, 9));
+        const even<long double> there =
+            exact_exp_long(translation_generator(away * d.x, away * d.y, away * d.z));
+        const auto moved = [&](const bivector<double>& b) {
+            return times(times(there, exact_exp_long(b)), reverse_of(there));
+        };
+        const even<long double> rotor = moved(turn), root = moved(half);
+        set(r, i, rotor);
+        std::copy(root.begin(), root.end(), want[i].begin());
+        // Infinity stays where it is, which rounding would spoil.
+        for (const int e4 : {3, 6, 8, 11}) r.at(e4 + 1, i) = r.at(e4, i);
+    }
+    for (const precision p : both_precisions) {
+        const options o{.accuracy = p};
+        const auto check = [&](const char* what) {
+            worst w;
+            for (std::size_t i = 0; i < n; ++i)
+                if (unique[i] == 1) w.see(error(get(out, i), want[i]));
+            w.expect_below(bound<T>(6e-6, 2e-14), what, p, sizeof(T));
+        };
+        ASSERT_EQ(power(r.view(), T(0.5), out.view(), unique.view(), o), status::ok);
+        check("power about a far place");
+        ASSERT_EQ(square_root(r.view(), out.view(), unique.view(), o), status::ok);
+        check("square_root about a far place");
+    }
+}
+
+TEST_P(Conformal, PowerAndSquareRootAboutFarPlaces) {
+    halves_about_far_places<float>();
+    halves_about_far_places<double>();
+}
+
+// Minus a small motion has no root, and gets that of the motion, which acts alike.
+template <class T>
+void minus_small_motions() {
+    conformal_buffer<T> r(1, layout::soa), plus(1, layout::soa), out(1, layout::soa), root(1, layout::soa);
+    scalar_buffer<T> unique(1, layout::soa);
+    for (int digits = 1; digits < (sizeof(T) == 4 ? 20 : 48); ++digits)
+        for (const bivector<double>& motion : {translation_generator(1, 0, 0), dilation_generator(1),
+                                               bivector<double>{0, 0, 0, 1, 0, 0, 0, 0, 0, 0}})
+            for (const precision p : both_precisions) {
+                bivector<double> small = motion;
+                for (double& x : small) x = std::ldexp(x, -digits);
+                even<double> rotor = exact_exp(small);
+                set(plus, 0, rotor);
+                for (double& x : rotor) x = -x;
+                set(r, 0, rotor);
+                const options o{.accuracy = p};
+                ASSERT_EQ(square_root(plus.view(), root.view(), unique.view(), o), status::ok);
+                ASSERT_EQ(unique[0], 1);
+                ASSERT_EQ(square_root(r.view(), out.view(), unique.view(), o), status::ok);
+                ASSERT_EQ(unique[0], 0);
+                ASSERT_LE(error(get(out, 0), get(root, 0)), bound<T>(5e-7, 1e-15)) << digits;
+            }
+}
+
+TEST_P(Conformal, MinusASmallMotionGetsTheRootOfTheMotion) {
+    minus_small_motions<float>();
+    minus_small_motions<double>();
+}
+
 TEST_P(Conformal, SplitSaysWhereThePartsAreNotUnique) {
     const std::vector<bivector<double>> corners = {{},
                                                    translation_generator(1, -2, 3),

@@ -48,12 +48,12 @@ quat<T> twist_about(const vec3<T>& a, T radians) {
 
 template <class T>
 quat<T> shortest_arc_of(const vec3<T>& v, const vec3<T>& w) {
-    return unit(arc_between(scaled(v, scale_for(v)), scaled(w, scale_for(w))));
+    return unit(arc_between(in_range(v), in_range(w)));
 }
 
 template <class T>
 quat<T> arc_with_twist_of(const vec3<T>& v, const vec3<T>& w, T radians, product order) {
-    const vec3<T> a = scaled(v, scale_for(v)), b = scaled(w, scale_for(w));
+    const vec3<T> a = in_range(v), b = in_range(w);
     const quat<T> arc = arc_between(a, b);
     return unit(order == product::swing_twist ? hamilton(arc, twist_about(a, radians))
                                               : hamilton(twist_about(b, radians), arc));

@@ -21,9 +21,9 @@ T larger(T a, T b) {
     return a > b ? a : b;
 }
 
+// The scalar part of the square of the bivector.
 template <class T>
-parts<T> parts_of(const even<T>& r) {
-    parts<T> p;
+T bivector_square(const even<T>& r) {
     // Of what is null nothing is left, as e4 and e5 come in differences.
     const auto null_pair = [](T a4, T a5) { return (a5 - a4) * (a5 + a4); };
     T s = null_pair(r[e14], r[e15]);
@@ -32,7 +32,13 @@ parts<T> parts_of(const even<T>& r) {
     s = r[e45] * r[e45] + s;
     s = s - r[e12] * r[e12];
     s = s - r[e13] * r[e13];
-    p.bivector_squared = s - r[e23] * r[e23];
+    return s - r[e23] * r[e23];
+}
+
+template <class T>
+parts<T> parts_of(const even<T>& r) {
+    parts<T> p;
+    p.bivector_squared = bivector_square(r);
     T g = (r[e1234] - r[e1235]) * (r[e1234] + r[e1235]);
     g = g - r[e1245] * r[e1245];
     g = g - r[e1345] * r[e1345];
@@ -131,7 +137,8 @@ choice<T> choose(T scalar, const parts<T>& p) {
     const halves<T> own = halves_of(scalar, p, s), other = halves_of(-scalar, p, s);
     const T size = p.bivector_size + p.four_size, largest = C::largest_blade;
     const bool outside = !(scalar * scalar + size <= largest * largest);
-    const bool minus_one = !(size > C::noise), lost = !own.regular && (minus_one || !other.regular);
+    const bool minus_one = !(size > T(16) * C::pole_threshold),
+               lost = !own.regular && (minus_one || !other.regular);
     return {own.regular ? T(1) : T(-1), own.regular && !outside ? T(1) : T(0), own.regular ? own : other,
             outside || lost};
 }
@@ -152,37 +159,69 @@ T square_root_of(const even<T>& r, even<T>& out) {
     return c.unique + bad;
 }
 
+// The angles a and b of a rotor, or where these are alike a + b and a - b, and their sines; b of a boost is its
+// length. s.p and s.q are the squares of the sines of a and b, root is the product of the sines.
+template <class T>
+struct rotor_angles {
+    choice<T> of;
+    roots<T> s;
+    T scalar, root, cos_a, cos_b, sine_1, sine_2, angle_1, angle_2;
+    bool hyperbolic, alike;
+};
+
+template <class T>
+rotor_angles<T> angles_of(T r0, const parts<T>& p) {
+    const T g = p.four_squared;
+    rotor_angles<T> a;
+    a.of = choose(r0, p);
+    a.scalar = a.of.sign * r0;
+    a.s = roots_of((g + g) - p.bivector_squared, g);
+    a.hyperbolic = a.s.q < 0;
+    a.alike = T(4) * a.s.q > a.s.p;
+    a.root = std::sqrt(larger(g, T(0)));
+    a.cos_b = std::sqrt(larger(1 - a.s.q, T(0)));
+    a.cos_a = a.scalar / larger(a.cos_b, T(0.5));
+    const T cross = (a.scalar + a.scalar) * a.root;
+    a.sine_1 = std::sqrt(larger(a.alike ? cross - p.bivector_squared : a.s.p, T(0)));
+    a.sine_2 = std::sqrt(larger(a.alike ? -p.bivector_squared - cross : std::fabs(a.s.q), T(0)));
+    a.angle_1 = atan2_of(a.sine_1, a.alike ? a.scalar - a.root : a.cos_a);
+    a.angle_2 = a.hyperbolic ? asinh_of(a.sine_2) : atan2_of(a.sine_2, a.alike ? a.scalar + a.root : a.cos_b);
+    return a;
+}
+
+// What the bivector of a rotor and `mixed` count in one with the same planes, whose coefficients of A and B are
+// `first` and `second` times those sines. `limit` is that of both where the planes vanish, `series` what `mixed`
+// counts where they are `tiny`.
+template <class T>
+struct coefficients {
+    T plane, mixed;
+};
+
+template <class T>
+coefficients<T> coefficients_of(const rotor_angles<T>& a, T first, T second, T limit, bool tiny, T series) {
+    const T apart = a.s.p - a.s.q;
+    const T plane = a.alike ? T(0.5) * (first + second)
+                            : ratio((a.s.p * a.cos_b) * first - (a.s.q * a.cos_a) * second, apart, limit);
+    const T mixed = tiny ? series
+                         : ratio(a.alike ? second - first : a.cos_a * first - a.cos_b * second,
+                                 a.alike ? a.root + a.root : apart, T(0));
+    return {a.of.sign * plane, mixed};
+}
+
 template <class T>
 T log_of(const even<T>& r, bivector<T>& out) {
     using C = constants<T>;
     const T bad = zero_or_nan(r);
     const parts<T> p = parts_of(r);
-    const choice<T> c = choose(r[0], p);
-    const T scalar = c.sign * r[0], g = p.four_squared;
-    const roots<T> s = roots_of((g + g) - p.bivector_squared, g);
-    const bool hyperbolic = s.q<0, alike = T(4) * s.q> s.p,
-               small = scalar > 0 && larger(s.p, -s.q) < C::small_square;
-
-    // Of planes that turn by like angles, the sum and the difference.
-    const T root = std::sqrt(larger(g, T(0))), cross = (scalar + scalar) * root;
-    const T cos_b = std::sqrt(larger(1 - s.q, T(0))), cos_a = scalar / larger(cos_b, T(0.5));
-    const T y1 = std::sqrt(larger(alike ? cross - p.bivector_squared : s.p, T(0)));
-    const T y2 = std::sqrt(larger(alike ? -p.bivector_squared - cross : std::fabs(s.q), T(0)));
-    const T x1 = alike ? scalar - root : cos_a, x2 = alike ? scalar + root : cos_b;
-    const T first = ratio(atan2_of(y1, x1), y1, T(1));
-    const T second = ratio(hyperbolic ? asinh_of(y2) : atan2_of(y2, x2), y2, T(1));
-
-    const T apart = s.p - s.q;
-    const T plane = alike ? T(0.5) * (first + second)
-                          : ratio((s.p * cos_b) * first - (s.q * cos_a) * second, apart, T(1));
-    const T mixed = small ? T(-1) / T(3) - (T(2) / T(15)) * (s.p + s.q)
-                          : ratio(alike ? second - first : cos_a * first - cos_b * second,
-                                  alike ? root + root : apart, T(0));
-    const T signed_plane = c.sign * plane;
+    const rotor_angles<T> a = angles_of(r[0], p);
+    const bool tiny = a.scalar > 0 && larger(a.s.p, -a.s.q) < C::small_square;
+    const coefficients<T> c =
+        coefficients_of(a, ratio(a.angle_1, a.sine_1, T(1)), ratio(a.angle_2, a.sine_2, T(1)), T(1), tiny,
+                        T(-1) / T(3) - (T(2) / T(15)) * (a.s.p + a.s.q));
     for (std::size_t i = 0; i < 10; ++i)
-        out[i] = (c.none ? T(0) : mixed * p.mixed[i] + r[i + bivectors] * signed_plane) + bad;
-    if (c.none) out[e23 - bivectors] = -C::pi + bad;
-    return c.unique + bad;
+        out[i] = (a.of.none ? T(0) : c.mixed * p.mixed[i] + r[i + bivectors] * c.plane) + bad;
+    if (a.of.none) out[e23 - bivectors] = -C::pi + bad;
+    return a.of.unique + bad;
 }
 
 // With a NaN in place of 0 where the element is to be NaN.
@@ -226,37 +265,98 @@ even<T> exp_of(const bivector<T>& b, T bad) {
     return out;
 }
 
+// exp(t log r), without the logarithm: that of a motion about a far place is large and its rounding too.
+template <class T>
+T motion_power(const even<T>& r, T t, T bad, even<T>& out) {
+    using C = constants<T>;
+    const parts<T> p = parts_of(r);
+    const rotor_angles<T> a = angles_of(r[0], p);
+    const bool none = a.of.none;
+    T x1 = t * (none ? C::pi : a.angle_1), x2 = t * (none ? T(0) : a.angle_2);
+    const T largest = C::largest_angle;
+    const bool outside = std::fabs(x1) > largest || std::fabs(x2) > largest ||
+                         (a.hyperbolic && std::fabs(x2) > C::largest_boost);
+    if (outside) x1 = x2 = 0;
+    const sine_cosine<T> first = sincos_of(x1);
+    sine_cosine<T> second = sincos_of(x2);
+    if (a.hyperbolic) {
+        const reference::hyperbolic<T> h = sinhcosh_of(std::fabs(x2));
+        second = {std::signbit(x2) ? -h.sinh : h.sinh, h.cosh};
+    }
+
+    const T square = t * t, sum = a.s.p + a.s.q;
+    const bool tiny = a.scalar > 0 && larger(a.s.p, -a.s.q) * larger(T(1), square) < C::small_square;
+    const T series = (t * (square - 1)) * (sum * ((4 - square) * (T(1) / T(30))) + T(1) / T(3));
+    const T z1 = ratio(first.sine, a.sine_1, t), z2 = ratio(second.sine, a.sine_2, t);
+    const coefficients<T> c = coefficients_of(a, a.alike ? z1 : z1 * second.cosine,
+                                              a.alike ? z2 : first.cosine * z2, t, tiny, series);
+    const T scalar = a.alike ? T(0.5) * (first.cosine + second.cosine) : first.cosine * second.cosine;
+    const T regular = a.alike ? ratio(T(0.5) * (second.cosine - first.cosine), a.root, T(0)) : z1 * z2;
+    const T four = a.of.sign * (tiny ? square * (((1 - square) * sum) * (T(1) / T(6)) + 1) : regular);
+    out.fill(bad);
+    out[0] = (outside ? T(1) : none ? first.cosine : scalar) + bad;
+    if (outside) return a.of.unique + bad;
+    if (none) {
+        out[e23] = -first.sine + bad;
+        return a.of.unique + bad;
+    }
+    for (std::size_t i = 0; i < 10; ++i)
+        out[i + bivectors] = (c.mixed * p.mixed[i] + r[i + bivectors] * c.plane) + bad;
+    for (std::size_t i = four_vectors; i < end_of_blades; ++i) out[i] = four * r[i] + bad;
+    return a.of.unique + bad;
+}
+
 template <class T>
 T power_of(const even<T>& r, T t, even<T>& out) {
-    bivector<T> b;
-    const T unique = log_of(r, b), bad = zero_or_nan(r) + T(0) * t;
-    for (T& component : b) component = t * component;
-    out = exp_of(b, bad);
+    const T bad = zero_or_nan(r) + T(0) * t, unique = motion_power(r, t, bad, out);
     if (bad + t == 1) out = r;
-    return unique + bad;
+    return unique;
 }
 
 template <class T>
 T interpolate_of(const even<T>& a, const even<T>& b, T t, even<T>& out) {
-    bivector<T> l;
-    const T unique = log_of(product(b, reversed(a)), l), bad = (zero_or_nan(a) + zero_or_nan(b)) + T(0) * t;
-    for (T& component : l) component = t * component;
-    out = product(exp_of(l, bad), a);
+    const T bad = (zero_or_nan(a) + zero_or_nan(b)) + T(0) * t;
+    even<T> part;
+    const T unique = motion_power(product(b, reversed(a)), t, bad, part);
+    out = product(part, a);
     if (bad + t == 0) out = a;
     if (bad + t == 1) out = b;
-    return unique + bad;
+    return unique;
 }
 
+// Of any length: the largest component is brought to 2..4. Of angles that are alike, from (a + b)(A + B) and
+// (a - b)(A - B): the difference of the squares is lost in their rounding long before a - b is.
 template <class T>
 T split_of(const bivector<T>& b, bivector<T>& first, bivector<T>& second) {
     using C = constants<T>;
-    const T bad = zero_or_nan(b), largest = C::largest_blade;
-    const parts<T> p = parts_of(with_half_square(b));
+    const T bad = zero_or_nan(b);
+    T largest = 0;
+    for (const T component : b) largest = larger(largest, std::fabs(component));
+    const T scale = scale_for({largest});
+    bivector<T> scaled = b;
+    for (T& component : scaled) component = component * scale;
+    const even<T> r = with_half_square(scaled);
+    const parts<T> p = parts_of(r);
     const roots<T> s = roots_of(-p.bivector_squared, p.four_squared);
-    const T apart = s.p - s.q;
-    const bool unique = apart > C::noise * p.bivector_size && p.bivector_size <= largest * largest;
+
+    const bool alike = T(4) * s.q > s.p;
+    const T over_root = ratio(T(1), std::sqrt(larger(p.four_squared, T(0))), T(0));
+    even<T> sums{}, differences{};
     for (std::size_t i = 0; i < 10; ++i) {
-        first[i] = (unique ? (s.p * b[i] + p.mixed[i]) / apart : b[i]) + bad;
+        sums[i + bivectors] = r[i + bivectors] - over_root * p.mixed[i];
+        differences[i + bivectors] = over_root * p.mixed[i] + r[i + bivectors];
+    }
+    const T sum = std::sqrt(larger(bivector_square(sums) * T(-0.5), T(0)));
+    const T difference = std::sqrt(larger(bivector_square(differences) * T(-0.5), T(0)));
+    const T a = T(0.5) * (sum + difference), half_a = T(0.5) * a;
+    const T of_sums = ratio(half_a, sum, T(0)), of_differences = ratio(half_a, difference, T(0));
+
+    const T apart = alike ? sum * difference : s.p - s.q;
+    const bool unique = apart > C::noise * p.bivector_size;
+    for (std::size_t i = 0; i < 10; ++i) {
+        const T part = alike ? of_sums * sums[i + bivectors] + of_differences * differences[i + bivectors]
+                             : (s.p * r[i + bivectors] + p.mixed[i]) / apart;
+        first[i] = (unique ? part * (T(1) / scale) : b[i]) + bad;
         second[i] = b[i] - first[i];
     }
     return (unique ? T(1) : T(0)) + bad;

@@ -222,6 +222,16 @@ vec3<T> scaled(const vec3<T>& v, T by) {
     return {by * v.x, by * v.y, by * v.z};
 }
 
+// Times a power of two that brings the largest component to 2..4, of subnormal ones in two steps.
+template <class T>
+vec3<T> in_range(const vec3<T>& v) {
+    using C = constants<T>;
+    const bool subnormal = std::fabs(v.x) < C::smallest_normal && std::fabs(v.y) < C::smallest_normal &&
+                           std::fabs(v.z) < C::smallest_normal;
+    const vec3<T> lifted = scaled(v, subnormal ? 1 / C::rounding : T(1));
+    return scaled(lifted, scale_for(lifted));
+}
+
 // One of the vectors perpendicular to v, of length |v| or somewhat less.
 template <class T>
 vec3<T> perpendicular(const vec3<T>& v) {

@@ -36,7 +36,7 @@ bool is_zero(const vec3<T>& v) {
 template <class T>
 vec3<T> common_perpendicular(const quat<T>& first, const quat<T>& second) {
     const vec3<T> v1 = vector_part(first), v2 = vector_part(second);
-    const vec3<T> a = scaled(v1, scale_for(v1)), b = scaled(v2, scale_for(v2));
+    const vec3<T> a = in_range(v1), b = in_range(v2);
     if (is_zero(a) && is_zero(b)) return {0, 1, 0};
     const T noise = 4 * std::numeric_limits<T>::epsilon();
     vec3<T> c = cross(a, b);
@@ -90,7 +90,7 @@ vec2<T> apply(const spinor2<T>& s, const vec2<T>& v) noexcept {
 template <class T>
 vec3<T> reflect(const vec3<T>& v, const vec3<T>& a) noexcept {
     const T scale = scale_for(v);
-    const vec3<T> u = scaled(v, scale), n = scaled(a, scale_for(a));
+    const vec3<T> u = scaled(v, scale), n = in_range(a);
     const T squared = dot(n, n);
     const T part = dot(u, n) / (squared == 0 ? T(1) : squared);
     const vec3<T> h{part * n.x / scale, part * n.y / scale, part * n.z / scale};
@@ -100,7 +100,7 @@ vec3<T> reflect(const vec3<T>& v, const vec3<T>& a) noexcept {
 
 template <class T>
 quat<T> rotation_from_reflections(const vec3<T>& a, const vec3<T>& b) noexcept {
-    const vec3<T> m = scaled(a, scale_for(a)), n = scaled(b, scale_for(b)), v = cross(m, n);
+    const vec3<T> m = in_range(a), n = in_range(b), v = cross(m, n);
     return normalized(quat<T>{v.x, v.y, v.z, dot(m, n)});
 }
 
