@@ -28,7 +28,7 @@ class Conformal(EvalTest):
             _, moved = self.evaluate("conformal_transform", " ".join(ROTOR) + " px py pz\n" +
                                      " ".join(map(repr, all_three[0])) + " 1 0 0\n", "--type", kind)
             self.assertNear(moved[0], [4 * 0.28 + 1, 4 * 0.96 + 2, 3], tolerance)
-        _, back = self.evaluate("conformal_reverse", " ".join(ROTOR).replace("r", "a") + "\n" +
+        _, back = self.evaluate("conformal_reverse", " ".join(ROTOR) + "\n" +
                                 " ".join(map(repr, all_three[0])) + "\n")
         _, one = self.evaluate("conformal_multiply", pair(all_three[0], back[0]))
         self.assertNear(one[0], [1] + [0] * 15, 1e-13)

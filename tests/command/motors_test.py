@@ -120,7 +120,7 @@ class Motors(EvalTest):
         back = [conjugate(m[:4]) + conjugate(m[4:]) for m in given]
         for m, r in zip(given, back):
             self.assertNear(after(m, r), (0, 0, 0, 1, 0, 0, 0, 0))
-        self.check("motor_conjugate", columns("m"), given, columns("r"), back)
+        self.check("motor_conjugate", columns("m"), given, columns("m"), back)
 
     def test_normalize_goes_to_the_unit_motors(self):
         generator = random.Random(6)
@@ -129,13 +129,13 @@ class Motors(EvalTest):
             length, along = generator.uniform(0.1, 3), generator.uniform(-1, 1)
             given.append(tuple(length * c for c in m[:4]) + plus([length * c for c in m[4:]], m[:4], along))
             expected.append(m)
-        self.check("motor_normalize", columns("m"), given + [(0.0,) * 8], columns("r"),
+        self.check("motor_normalize", columns("m"), given + [(0.0,) * 8], columns("m"),
                    expected + [(0, 0, 0, 1, 0, 0, 0, 0)])
 
     def test_the_square_root_is_half_of_the_screw(self):
         # Up to a full turn, where the root with w >= 0 is half of the same turn.
         found = screws(40, 7, 6.0)
-        self.check("motor_square_root", columns("m"), [s.motor() for s in found], columns("r"),
+        self.check("motor_square_root", columns("m"), [s.motor() for s in found], columns("m"),
                    [s.motor(0.5) for s in found], tolerance=1e-12)
 
     def test_the_logarithm_is_half_of_the_angle_about_the_line(self):
@@ -155,9 +155,9 @@ class Motors(EvalTest):
         exponents = [generator.uniform(-1, 1) for _ in found]
         given = [s.motor() for s in found]
         for options, t in (((), 0.5), (("--t", "-0.75"), -0.75)):
-            self.check("motor_power", columns("m"), given, columns("r"), [s.motor(t) for s in found], *options,
+            self.check("motor_power", columns("m"), given, columns("m"), [s.motor(t) for s in found], *options,
                        tolerance=1e-12)
-        self.check("motor_power", "t " + columns("m"), [(t,) + m for t, m in zip(exponents, given)], columns("r"),
+        self.check("motor_power", "t " + columns("m"), [(t,) + m for t, m in zip(exponents, given)], columns("m"),
                    [s.motor(t) for s, t in zip(found, exponents)], "--t", "column", tolerance=1e-12)
 
     def test_sclerp_goes_along_the_screw_from_a_to_b(self):

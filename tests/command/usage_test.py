@@ -1,9 +1,11 @@
 """Help, version, info, and what is bad usage."""
 
 import os
+import shlex
+import subprocess
 import unittest
 
-from support import CLIP, HEADER, CommandTest, main, run, usable_isas
+from support import CLIP, COMMAND, HEADER, CommandTest, main, run, usable_isas
 
 EVERY_COMMAND = ([], ["info"], ["decompose"], ["eval"], ["eval", "decompose"], ["eval", "compose"], ["eval", "twist"],
                  ["eval", "swing"], ["eval", "twist_angle"])
@@ -15,6 +17,24 @@ class Usage(CommandTest):
             result = self.succeeds(*command, "--help")
             self.assertIn("Examples:", result.stdout.decode(), command)
             self.assertEqual(result.stderr, b"", command)
+
+    def test_every_example_of_an_operation_that_names_no_file_runs(self):
+        listed = self.succeeds("eval", "--help").stdout.decode().split("Subcommands:")[1].split("\n\n")[0]
+        operations = [line.split()[0] for line in listed.splitlines() if line.startswith("  ") and line[2] != " "]
+        self.assertGreater(len(operations), 50)
+        command = " ".join(map(shlex.quote, COMMAND))
+        without = []
+        for operation in operations:
+            lines = self.succeeds("eval", operation, "--help").stdout.decode().split("Examples:\n")[1]
+            examples = lines.replace("|\n    ", "| ").splitlines()
+            runnable = [e for e in examples if e.startswith("  printf")]
+            without += [] if runnable else [operation]
+            for example in runnable:
+                result = subprocess.run("set -o pipefail;" + example.replace("swivel eval", command + " eval"),
+                                        shell=True, executable="/bin/bash", capture_output=True, check=False)
+                self.assertEqual((result.returncode, result.stderr), (0, b""), example)
+                self.assertGreaterEqual(len(result.stdout.splitlines()), 2, example)
+        self.assertEqual(without, ["conformal_multiply", "conformal_interpolate"])
 
     def test_the_version_is_that_of_the_library(self):
         version = self.succeeds("--version").stdout.decode().split()

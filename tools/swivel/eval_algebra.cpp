@@ -103,7 +103,7 @@ constinit const eval_operation eval_conjugate = {
     "Quaternions with the opposite vector part, the inverse of unit ones",
     "Reads qx qy qz qw. Writes qx qy qz qw.\n\n"
     "Examples:\n"
-    "  swivel eval conjugate rotations.csv",
+    "  printf 'qx qy qz qw\\n0 0 0.6 0.8\\n' | swivel eval conjugate",
     add_no_options,
     rotation_to_rotation,
     run_conjugate<float>,
@@ -154,7 +154,7 @@ constinit const eval_operation eval_align_signs = {
     "Reads qx qy qz qw and the neighbour nx ny nz nw; with --sequence qx qy qz qw alone, the neighbour\n"
     "being the row before. Writes qx qy qz qw.\n\n"
     "Examples:\n"
-    "  swivel eval align_signs --sequence rotations.csv",
+    "  printf 'qx qy qz qw\\n0 0 0.6 0.8\\n0 0 -0.6 -0.8\\n' | swivel eval align_signs --sequence",
     add_align_signs_options,
     [](const eval_settings& settings) {
         eval_columns c{{{group_kind::quaternion, "q"}}, {{group_kind::quaternion, "q"}}};

@@ -53,7 +53,7 @@ constinit const eval_operation eval_compose = {
     "Rotations from swing and twist, the inverse of decompose",
     "Reads sx sy sz sw tx ty tz tw, or with --form compact s1 s2 sc ts tc. Writes qx qy qz qw.\n\n"
     "Examples:\n"
-    "  swivel eval compose factors.csv\n"
+    "  printf 'qx qy qz qw\\n0 0 0.6 0.8\\n' | swivel eval decompose | swivel eval compose\n"
     "  swivel eval decompose --form compact --axis x rotations.csv |\n"
     "    swivel eval compose --form compact --axis x",
     add_options,

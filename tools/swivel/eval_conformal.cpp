@@ -112,12 +112,12 @@ constinit const eval_operation eval_conformal_multiply = {
 constinit const eval_operation eval_conformal_reverse = {
     "conformal_reverse",
     "Inverses of conformal rotors",
-    "Reads as a12 ... a2345. Writes rs r12 ... r2345.\n\n"
+    "Reads rs r12 ... r2345 and writes the same.\n\n"
     "Examples:\n"
-    "  swivel eval conformal_reverse rotors.csv",
+    "  printf 'tx ty tz\\n1 2 3\\n' | swivel eval conformal_from_translation | swivel eval conformal_reverse",
     add_no_options,
     [](const eval_settings&) {
-        return eval_columns{{{group_kind::conformal, "a"}}, {{group_kind::conformal, "r"}}};
+        return eval_columns{{{group_kind::conformal, "r"}}, {{group_kind::conformal, "r"}}};
     },
     run_reverse<float>,
     run_reverse<double>};
@@ -179,7 +179,8 @@ constinit const eval_operation eval_conformal_transform = {
     "Points moved by conformal rotors",
     "Reads rs r12 ... r2345 and the point px py pz. Writes vx vy vz.\n\n"
     "Examples:\n"
-    "  swivel eval conformal_transform rotors.csv",
+    "  printf 'factor px py pz\\n2 1 2 3\\n' | swivel eval conformal_from_dilation --pass |\n"
+    "    swivel eval conformal_transform",
     add_no_options,
     [](const eval_settings&) {
         return eval_columns{{{group_kind::conformal, "r"}, {group_kind::vector, "p"}},
@@ -191,14 +192,15 @@ constinit const eval_operation eval_conformal_transform = {
 constinit const eval_operation eval_conformal_square_root = {
     "conformal_square_root",
     "Half of conformal motions",
-    "Reads rs r12 ... r2345. Writes hs h12 ... h2345, whose square is r, and unique: 0 where there is no\n"
-    "such root or more than one.\n\n"
+    "Reads rs r12 ... r2345. Writes the same of that whose square it is, and unique: 0 where there\n"
+    "is none or more than one.\n\n"
     "Examples:\n"
-    "  swivel eval conformal_square_root rotors.csv",
+    "  printf 'tx ty tz\\n1 2 3\\n' | swivel eval conformal_from_translation | swivel eval "
+    "conformal_square_root",
     add_no_options,
     [](const eval_settings&) {
         return eval_columns{{{group_kind::conformal, "r"}},
-                            {{group_kind::conformal, "h"}, {group_kind::scalar, "unique"}}};
+                            {{group_kind::conformal, "r"}, {group_kind::scalar, "unique"}}};
     },
     run_square_root<float>,
     run_square_root<double>};
@@ -223,7 +225,7 @@ constinit const eval_operation eval_conformal_log = {
     "Reads rs r12 ... r2345. Writes b12 ... b45, and unique: 0 where there is no logarithm or more than\n"
     "one.\n\n"
     "Examples:\n"
-    "  swivel eval conformal_log rotors.csv",
+    "  printf 'tx ty tz\\n1 2 3\\n' | swivel eval conformal_from_translation | swivel eval conformal_log",
     add_no_options,
     [](const eval_settings&) {
         return eval_columns{{{group_kind::conformal, "r"}},
@@ -235,14 +237,14 @@ constinit const eval_operation eval_conformal_log = {
 constinit const eval_operation eval_conformal_power = {
     "conformal_power",
     "Parts or multiples of conformal motions",
-    "Reads rs r12 ... r2345, and with --t column t. Writes ps p12 ... p2345, and unique: 0 where there is\n"
-    "no power or more than one.\n\n"
+    "Reads rs r12 ... r2345, and with --t column t. Writes the same, and unique: 0 where there is no power\n"
+    "or more than one.\n\n"
     "Examples:\n"
-    "  swivel eval conformal_power --t 0.25 rotors.csv",
+    "  printf 'factor\\n16\\n' | swivel eval conformal_from_dilation | swivel eval conformal_power --t 0.25",
     add_exponent,
     [](const eval_settings& settings) {
         return with_t(eval_columns{{{group_kind::conformal, "r"}},
-                                   {{group_kind::conformal, "p"}, {group_kind::scalar, "unique"}}},
+                                   {{group_kind::conformal, "r"}, {group_kind::scalar, "unique"}}},
                       settings);
     },
     run_power<float>,
@@ -270,7 +272,8 @@ constinit const eval_operation eval_conformal_split = {
     "Reads b12 b13 b14 b15 b23 b24 b25 b34 b35 b45. Writes f12 ... f45, the larger turn, g12 ... g45, the\n"
     "rest, and unique: 0 where the parts are not unique.\n\n"
     "Examples:\n"
-    "  swivel eval conformal_split rotors.csv",
+    "  printf 'b12 b13 b14 b15 b23 b24 b25 b34 b35 b45\\n0.5 0 0 0 0 0 0 1 1 0\\n' |\n"
+    "    swivel eval conformal_split",
     add_no_options,
     [](const eval_settings&) {
         return eval_columns{

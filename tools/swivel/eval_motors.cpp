@@ -18,7 +18,7 @@ swivel::vec3_view<const T> vector_of(const eval_block<T>& in, std::size_t group)
 }
 
 eval_columns motor_to_motor(const eval_settings&) {
-    return {{{group_kind::motor, "m"}}, {{group_kind::motor, "r"}}};
+    return {{{group_kind::motor, "m"}}, {{group_kind::motor, "m"}}};
 }
 
 eval_columns decompose_columns(const eval_settings& settings) {
@@ -194,8 +194,7 @@ constinit const eval_operation eval_motor_multiply = {
 constinit const eval_operation eval_motor_conjugate = {
     "motor_conjugate",
     "Motions backwards",
-    "Reads mx my mz mw mdx mdy mdz mdw. Writes rx ry rz rw rdx rdy rdz rdw, the inverse where m is of unit\n"
-    "length.\n\n"
+    "Reads mx my mz mw mdx mdy mdz mdw and writes the same: the inverse where m is of unit length.\n\n"
     "Examples:\n"
     "  printf 'mx my mz mw mdx mdy mdz mdw\\n0 0 0 1 0.5 1 1.5 0\\n' | swivel eval motor_conjugate",
     add_no_options,
@@ -206,7 +205,7 @@ constinit const eval_operation eval_motor_conjugate = {
 constinit const eval_operation eval_motor_normalize = {
     "motor_normalize",
     "Motors of unit length, with the dual part at right angles to the rotation",
-    "Reads mx my mz mw mdx mdy mdz mdw. Writes rx ry rz rw rdx rdy rdz rdw.\n\n"
+    "Reads mx my mz mw mdx mdy mdz mdw and writes the same.\n\n"
     "Examples:\n"
     "  printf 'mx my mz mw mdx mdy mdz mdw\\n0 0 0 2 1 2 3 4\\n' | swivel eval motor_normalize",
     add_no_options,
@@ -217,8 +216,8 @@ constinit const eval_operation eval_motor_normalize = {
 constinit const eval_operation eval_motor_square_root = {
     "motor_square_root",
     "Half of a motion",
-    "Reads mx my mz mw mdx mdy mdz mdw, of unit length. Writes rx ry rz rw rdx rdy rdz rdw, whose square is\n"
-    "m, with rw >= 0.\n\n"
+    "Reads mx my mz mw mdx mdy mdz mdw, of unit length, and writes the same: that whose square is m,\n"
+    "with mw >= 0.\n\n"
     "Examples:\n"
     "  printf 'mx my mz mw mdx mdy mdz mdw\\n0 0 1 0 1 0 0 0\\n' | swivel eval motor_square_root",
     add_no_options,
@@ -258,8 +257,8 @@ constinit const eval_operation eval_motor_exp = {
 constinit const eval_operation eval_motor_power = {
     "motor_power",
     "Parts or multiples of motions",
-    "Reads mx my mz mw mdx mdy mdz mdw, of unit length, and with --t column t. Writes rx ry rz rw rdx rdy\n"
-    "rdz rdw, t times as far along the same screw.\n\n"
+    "Reads mx my mz mw mdx mdy mdz mdw, of unit length, and with --t column t. Writes mx my mz mw mdx mdy\n"
+    "mdz mdw, t times as far along the same screw.\n\n"
     "Examples:\n"
     "  printf 'mx my mz mw mdx mdy mdz mdw\\n0 0 1 0 1 0 0 0\\n' | swivel eval motor_power --t 0.25\n"
     "  swivel eval motor_power --t column motions.csv",
@@ -331,7 +330,8 @@ constinit const eval_operation eval_motor_compose = {
     "Motions from swing, twist and translation, the inverse of motor_decompose",
     "Reads sx sy sz sw tx ty tz tw and px py pz. Writes mx my mz mw mdx mdy mdz mdw.\n\n"
     "Examples:\n"
-    "  swivel eval motor_decompose poses.csv | swivel eval motor_compose",
+    "  printf 'mx my mz mw mdx mdy mdz mdw\\n0 0 1 0 1 0 0 0\\n' |\n"
+    "    swivel eval motor_decompose | swivel eval motor_compose",
     [](CLI::App& app, eval_settings& settings) { add_product(app, settings.options.order); },
     [](const eval_settings&) {
         return eval_columns{
