@@ -29,26 +29,29 @@ inline V size_of(const V* r) noexcept {
     return sum;
 }
 
+// sum - a^2
+template <precision_index P, class V>
+inline V less_square(V a, V sum) noexcept {
+    return arithmetic<P>::negate_multiply_add(a, a, sum);
+}
+
 // The scalar part of the square of the bivector.
 template <precision_index P, class V>
 inline V bivector_square(const V* r) noexcept {
     using M = arithmetic<P>;
-    const auto less = [](V a, V sum) { return M::negate_multiply_add(a, a, sum); };
     // Of what is null nothing is left, as e4 and e5 come in differences.
     V s = (r[e15] - r[e14]) * (r[e15] + r[e14]);
     s = M::multiply_add(r[e25] - r[e24], r[e25] + r[e24], s);
     s = M::multiply_add(r[e35] - r[e34], r[e35] + r[e34], s);
     s = M::multiply_add(r[e45], r[e45], s);
-    return less(r[e23], less(r[e13], less(r[e12], s)));
+    return less_square<P>(r[e23], less_square<P>(r[e13], less_square<P>(r[e12], s)));
 }
 
 template <precision_index P, class V>
 inline void find_parts(const V* r, even_parts<V>& p) noexcept {
-    using M = arithmetic<P>;
-    const auto less = [](V a, V sum) { return M::negate_multiply_add(a, a, sum); };
     p.bivector_squared = bivector_square<P>(r);
     const V g = (r[e1234] - r[e1235]) * (r[e1234] + r[e1235]);
-    p.four_squared = less(r[e2345], less(r[e1345], less(r[e1245], g)));
+    p.four_squared = less_square<P>(r[e2345], less_square<P>(r[e1345], less_square<P>(r[e1245], g)));
     p.bivector_size = size_of<P, first_bivector, first_four_vector>(r);
     p.four_size = size_of<P, first_four_vector, no_more_blades>(r);
     [&]<int... K>(std::integer_sequence<int, K...>) __attribute__((always_inline)) {
@@ -197,16 +200,18 @@ struct conformal_split_op {
     explicit conformal_split_op(const T*) noexcept {}
 
     [[gnu::noinline]] void operator()(const V* in, V* out) const noexcept {
-        const V zero(T(0)), half(T(0.5)), bad = zero_or_nan<10>(in), exponent_bits(C::infinity);
+        const V zero(T(0)), half(T(0.5)), bad = zero_or_nan<10>(in);
         // Of any length: the largest component is brought to 2..4.
-        V power(C::smallest_normal), scaled[10];
+        V largest = zero, scaled[10];
         [&]<int... K>(std::integer_sequence<int, K...>) __attribute__((always_inline)) {
-            ((power = larger(power, magnitude(in[K]))), ...);
-            power = power & exponent_bits;
-            ((scaled[K] = in[K] * (power ^ exponent_bits)), ...);
+            ((largest = larger(largest, magnitude(in[K]))), ...);
         }
         (std::make_integer_sequence<int, 10>());
-        const V back = half * power;
+        const V scale = reciprocal_power_of_two(largest), back = quotient(V(T(1)), scale);
+        [&]<int... K>(std::integer_sequence<int, K...>) __attribute__((always_inline)) {
+            ((scaled[K] = in[K] * scale), ...);
+        }
+        (std::make_integer_sequence<int, 10>());
 
         V r[16], big, small;
         even_parts<V> p;
