@@ -271,142 +271,15 @@ TEST_P(Conformal, ARootOrLogarithmIsRightOrSaidNotToBeUnique) {
     never_silently_wrong<double>();
 }
 
-bivector<double> product_with_itself(const bivector<double>& a, const bivector<double>& b, bool commutator) {
-    // The four-vector part of a^2, or the bivector part of a b.
-    const even<double> p = times(as_even(a), as_even(b));
-    bivector<double> out{};
-    for (std::size_t k = 0; k < (commutator ? 10U : 5U); ++k) out[k] = p[(commutator ? 1U : 11U) + k];
-    return out;
-}
-
-template <class T>
-void splits() {
-    generator g(7);
-    bivector_buffer<T> b(n, layout::soa), first(n, layout::soa), second(n, layout::soa);
-    scalar_buffer<T> unique(n, layout::soa);
-    for (std::size_t i = 0; i < n; ++i) {
-        bivector<double> any;
-        for (double& x : any) x = uniform(g, -1, 1);
-        set(b, i, i % 2 == 0 ? any : random_bivector(g));
-    }
-    for (const precision p : both_precisions) {
-        ASSERT_EQ(split(b.view(), first.view(), second.view(), unique.view(), {.accuracy = p}), status::ok);
-        worst sums, rest;
-        for (std::size_t i = 0; i < n; ++i) {
-            if (unique[i] == 0) {
-                // A small turn beside a long translation.
-                const bivector<double> given = get(b, i);
-                const double turn = given[0] * given[0] + given[1] * given[1] + given[4] * given[4];
-                ASSERT_LE(turn, bound<T>(0x1p-15, 0x1p-39) * size_of(given) * size_of(given));
-                continue;
-            }
-            const bivector<double> whole = get(b, i), one = get(first, i), other = get(second, i);
-            sums.see(error(one + other, whole));
-            const even<double> square_1 = times(as_even(one), as_even(one)),
-                               square_2 = times(as_even(other), as_even(other));
-            EXPECT_LE(square_1[0], square_2[0] + 1e-5);
-            const double size = size_of(whole), apart = (square_2[0] - square_1[0]) / (size * size);
-            rest.see(size_of(product_with_itself(one, other, true)) / (size * size) * apart);
-            rest.see(size_of(product_with_itself(one, one, false)) / (size * size) * apart);
-            rest.see(size_of(product_with_itself(other, other, false)) / (size * size) * apart);
-        }
-        sums.expect_below(bound<T>(1.2e-7, 3e-16), "split, sum", p, sizeof(T));
-        rest.expect_below(bound<T>(6e-7, 1.5e-15), "split, simple and commuting", p, sizeof(T));
-    }
-}
-
-TEST_P(Conformal, SplitGivesSimplePartsThatCommuteAndAddUp) {
-    splits<float>();
-    splits<double>();
-}
-
-// Two turns by nearly the same angle, in planes of all directions: the nearer, the worse, in proportion.
-template <class T>
-void splits_nearly_equal_turns() {
-    generator g(11);
-    bivector_buffer<T> b(n, layout::soa), first(n, layout::soa), second(n, layout::soa);
-    scalar_buffer<T> unique(n, layout::soa);
-    for (std::size_t i = 0; i < n; ++i) {
-        // The sum of two that turn all planes alike, the one to the left, the other to the right.
-        const vec3<double> l = random_direction<double>(g), r = random_direction<double>(g);
-        const double s = std::exp2(-uniform(g, 1, bound<T>(14, 38)));
-        const auto both = [&](double x, double y) { return std::array<double, 2>{x + s * y, x - s * y}; };
-        const std::array<double, 2> p = both(l.x, r.x), q = both(l.y, r.y), o = both(l.z, r.z);
-        set(b, i, bivector<double>{p[0], q[0], o[0], 0, o[1], -q[1], 0, p[1], 0, 0});
-    }
-    for (const precision accuracy : both_precisions) {
-        ASSERT_EQ(split(b.view(), first.view(), second.view(), unique.view(), {.accuracy = accuracy}),
-                  status::ok);
-        worst rest;
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < n; ++i) {
-            if (unique[i] == 0) continue;
-            ++count;
-            const bivector<double> whole = get(b, i), one = get(first, i), other = get(second, i);
-            const double size = size_of(whole) * size_of(whole);
-            // (a^2 - b^2) / |B|^2 from the parts that turn to the left and to the right.
-            const double left = std::hypot(whole[0] + whole[7], whole[1] - whole[5], whole[2] + whole[4]);
-            const double right = std::hypot(whole[0] - whole[7], whole[1] + whole[5], whole[2] - whole[4]);
-            const double apart = left * right / size;
-            rest.see(size_of(product_with_itself(one, one, false)) / size * apart);
-            rest.see(size_of(product_with_itself(other, other, false)) / size * apart);
-            rest.see(size_of(product_with_itself(one, other, true)) / size * apart);
-        }
-        EXPECT_GT(count, n * 3 / 4);
-        rest.expect_below(bound<T>(6e-7, 1.5e-15), "split of turns by nearly the same angle", accuracy,
-                          sizeof(T));
-    }
-}
-
-TEST_P(Conformal, SplitOfNearlyEqualTurnsIsAsGoodAsTheyDiffer) {
-    splits_nearly_equal_turns<float>();
-    splits_nearly_equal_turns<double>();
-}
-
-// Of bivectors of any length, in the same bits but for the exponent.
-template <class T>
-void split_scales() {
-    generator g(12);
-    bivector_buffer<T> b(n, layout::soa), first(n, layout::soa), second(n, layout::soa);
-    bivector_buffer<T> scaled(n, layout::soa), first_scaled(n, layout::soa), second_scaled(n, layout::soa);
-    scalar_buffer<T> unique(n, layout::soa), unique_scaled(n, layout::soa);
-    constexpr int most = sizeof(T) == 4 ? 100 : 900;
-    std::vector<int> exponents(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        set(b, i, random_bivector(g));
-        exponents[i] = static_cast<int>(g() % (2 * most)) - most;
-        for (int k = 0; k < 10; ++k) scaled.at(k, i) = std::ldexp(b.at(k, i), exponents[i]);
-    }
-    for (const precision p : both_precisions) {
-        const options o{.accuracy = p};
-        ASSERT_EQ(split(b.view(), first.view(), second.view(), unique.view(), o), status::ok);
-        ASSERT_EQ(split(scaled.view(), first_scaled.view(), second_scaled.view(), unique_scaled.view(), o),
-                  status::ok);
-        for (std::size_t i = 0; i < n; ++i) {
-            ASSERT_EQ(unique_scaled[i], unique[i]);
-            // Components that are nearly 0 beside the others may become subnormal numbers.
-            const T tiny = std::ldexp(std::numeric_limits<T>::min(), 30);
-            for (int k = 0; k < 10; ++k) {
-                const T want = std::ldexp(first.at(k, i), exponents[i]);
-                ASSERT_TRUE(std::fabs(want) <= tiny || first_scaled.at(k, i) == want) << exponents[i];
-            }
-        }
-    }
-}
-
-TEST_P(Conformal, SplitIsTheSameAtEveryLength) {
-    split_scales<float>();
-    split_scales<double>();
-}
-
 // About places far away: the logarithm is large and its rounding too, but power does without.
 template <class T>
 void halves_about_far_places() {
     generator g(13);
-    conformal_buffer<T> r(n, layout::soa), out(n, layout::soa);
+    conformal_buffer<T> one(n, layout::soa), r(n, layout::soa), out(n, layout::soa);
     scalar_buffer<T> unique(n, layout::soa);
     std::vector<even<double>> want(n);
     for (std::size_t i = 0; i < n; ++i) {
+        set(one, i, even<double>{1});
         const bivector<double> turn = random_bivector(g);
         bivector<double> half = turn;
         for (double& x : half) x *= 0.5;
@@ -435,12 +308,58 @@ void halves_about_far_places() {
         check("power about a far place");
         ASSERT_EQ(square_root(r.view(), out.view(), unique.view(), o), status::ok);
         check("square_root about a far place");
+        ASSERT_EQ(interpolate(one.view(), r.view(), T(0.5), out.view(), unique.view(), o), status::ok);
+        check("interpolate about a far place");
     }
 }
 
-TEST_P(Conformal, PowerAndSquareRootAboutFarPlaces) {
+TEST_P(Conformal, HalvesOfMotionsAboutFarPlaces) {
     halves_about_far_places<float>();
     halves_about_far_places<double>();
+}
+
+// Two turns whose half angles add up to nearly pi, where there is no root: as uncertain as they are near.
+template <class T>
+void nearly_singular_pairs() {
+    generator g(14);
+    conformal_buffer<T> r(n, layout::soa), out(n, layout::soa);
+    bivector_buffer<T> l(n, layout::soa);
+    scalar_buffer<T> unique(n, layout::soa);
+    std::vector<even<double>> half(n);
+    std::vector<double> away(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        away[i] = std::exp2(uniform(g, -6, std::log2(pi - 2.5)));
+        const double a = uniform(g, pi / 2, 2.4) - away[i] / 2, b = pi - away[i] - a;
+        const bivector<double> turns{a, 0, 0, 0, 0, 0, 0, b, 0, 0};
+        const vec3<double> d = random_direction<double>(g);
+        const even<long double> there = exact_exp_long(translation_generator(d.x, d.y, d.z));
+        const auto moved = [&](double part) {
+            bivector<double> of = turns;
+            for (double& x : of) x *= part;
+            return times(times(there, exact_exp_long(of)), reverse_of(there));
+        };
+        set(r, i, moved(1));
+        const even<long double> root = moved(0.5);
+        std::copy(root.begin(), root.end(), half[i].begin());
+    }
+    for (const precision p : both_precisions) {
+        const options o{.accuracy = p};
+        worst roots, logs;
+        ASSERT_EQ(square_root(r.view(), out.view(), unique.view(), o), status::ok);
+        ASSERT_EQ(log(r.view(), l.view(), unique.view(), o), status::ok);
+        for (std::size_t i = 0; i < n; ++i) {
+            ASSERT_EQ(unique[i], 1);
+            roots.see(error(get(out, i), half[i]) * away[i] * away[i]);
+            logs.see(error(exact_exp(get(l, i)), get(r, i)) * away[i] * away[i]);
+        }
+        roots.expect_below(bound<T>(2e-7, 4e-16), "root of two turns", p, sizeof(T));
+        logs.expect_below(bound<T>(2e-7, 4e-16), "exp(log) of two turns", p, sizeof(T));
+    }
+}
+
+TEST_P(Conformal, TwoTurnsOfNearlyPiAreAsUncertainAsTheyAreNear) {
+    nearly_singular_pairs<float>();
+    nearly_singular_pairs<double>();
 }
 
 // Minus a small motion has no root, and gets that of the motion, which acts alike.
@@ -470,24 +389,6 @@ void minus_small_motions() {
 TEST_P(Conformal, MinusASmallMotionGetsTheRootOfTheMotion) {
     minus_small_motions<float>();
     minus_small_motions<double>();
-}
-
-TEST_P(Conformal, SplitSaysWhereThePartsAreNotUnique) {
-    const std::vector<bivector<double>> corners = {{},
-                                                   translation_generator(1, -2, 3),
-                                                   {1, 0, 0, 0, 0, 0, 0, 1, 0, 0},
-                                                   {0.5, 0, 0, 0, 0, 0, 0, -0.5, 0, 0}};
-    for (const bivector<double>& corner : corners)
-        for (const precision p : both_precisions) {
-            bivector_buffer<double> b(1, layout::soa), first(1, layout::soa), second(1, layout::soa);
-            scalar_buffer<double> unique(1, layout::soa);
-            set(b, 0, corner);
-            ASSERT_EQ(split(b.view(), first.view(), second.view(), unique.view(), {.accuracy = p}),
-                      status::ok);
-            EXPECT_EQ(unique[0], 0);
-            EXPECT_EQ(get(first, 0), corner);
-            EXPECT_EQ(get(second, 0), bivector<double>{});
-        }
 }
 
 template <class T>

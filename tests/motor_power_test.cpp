@@ -100,7 +100,7 @@ void sclerp_goes_along_the_screw(bool long_way) {
             dual = std::max(dual, f.dual / double(by * by));
         }
         EXPECT_LE(real, p == precision::fast ? 6.5 : 5);
-        EXPECT_LE(dual, p == precision::fast ? 5 : 4.5);
+        EXPECT_LE(dual, 4);
     }
     const options o{.accuracy = precision::reproducible, .long_way = long_way};
     ASSERT_EQ(sclerp(w.m.view(), w.other.view(), T(0), w.out.view(), o), status::ok);

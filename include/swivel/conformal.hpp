@@ -28,7 +28,7 @@
 //   Domain     Rotors and bivectors of a length, the root of the sum of the squares of all components, up to
 //              2^20 (double: 2^200). Others count as -1 with unique = 0, in exp as 0.
 //   Errors     are differences of components divided by the length of the expected element where that is
-//              larger than 1, asserted by conformal_test.cpp over translations up to 5, half angles up to 2.5
+//              larger than 1, asserted by conformal_test.cpp and conformal_split_test.cpp over translations up to 5, half angles up to 2.5
 //              and dilations by up to e^2. What exp and log do grows with the square of translations, since a
 //              bivector is as uncertain as its rounding; square_root, power and interpolate are within 6e-6
 //              (double: 2e-14) about places up to 2^9 away. Of two turns with a + b beyond 2.5, 2e-7 (double:

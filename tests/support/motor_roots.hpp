@@ -78,7 +78,7 @@ void square_root_squared_is_the_motor(std::uint64_t seed) {
         const bool fast = p == precision::fast;
         EXPECT_LE(real, fast ? 6 : 4);
         EXPECT_LE(dual, 2);
-        EXPECT_LE(back, fast ? 13 : 6.5);
+        EXPECT_LE(back, fast ? 8 : 6);
         EXPECT_LE(back_dual, 2.5);
     }
 }
