@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
     swivel_bench::add_twist_angle_rows();
     swivel_bench::add_compose_rows();
     swivel_bench::add_interpolation_rows();
-    swivel_bench::add_algebra_rows();
+    swivel_bench::add_rotors_rows();
     swivel_bench::add_exponentials_rows();
     swivel_bench::add_arcs_rows();
     swivel_bench::add_conversions_rows();

@@ -3,9 +3,9 @@
 
 // Quaternions in registers, and what several operations do with them. An infinity may come out as one.
 
-#include "constants.hpp"
-#include "kernel_table.hpp"
-#include "ops.hpp"
+#include "kernels/constants.hpp"
+#include "kernels/kernel_table.hpp"
+#include "kernels/registers/ops.hpp"
 
 namespace swivel {
 namespace {

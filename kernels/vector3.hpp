@@ -1,7 +1,7 @@
 #ifndef SWIVEL_KERNELS_VECTOR3_HPP
 #define SWIVEL_KERNELS_VECTOR3_HPP
 
-#include "normalize.hpp"
+#include "kernels/rotors/normalize.hpp"
 
 namespace swivel {
 namespace {

@@ -70,7 +70,7 @@ void add_swing_rows();
 void add_twist_angle_rows();
 void add_compose_rows();
 void add_interpolation_rows();
-void add_algebra_rows();
+void add_rotors_rows();
 void add_exponentials_rows();
 void add_arcs_rows();
 void add_conversions_rows();

@@ -1,3 +1,3 @@
-#include "../make_table.hpp"
+#include "kernels/make_table.hpp"
 
 constinit const swivel::kernel_table swivel::sse2_kernels = swivel::make_table<xsimd::sse2>();

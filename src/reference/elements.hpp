@@ -3,7 +3,7 @@
 
 // Elements of views, and what is common to the calls of swivel::reference.
 
-#include "../arguments.hpp"
+#include "src/call/arguments.hpp"
 
 namespace swivel::reference {
 

@@ -13,8 +13,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "../../kernels/constants.hpp"
-#include "../unit_axis.hpp"
+#include "kernels/constants.hpp"
+#include "src/call/unit_axis.hpp"
 #include "swivel/types.hpp"
 
 namespace swivel::reference {

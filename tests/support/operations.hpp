@@ -86,7 +86,7 @@ void add_swing_twist(std::vector<operation<T>>& all);
 template <class T>
 void add_angles(std::vector<operation<T>>& all);
 template <class T>
-void add_algebra(std::vector<operation<T>>& all);
+void add_rotors(std::vector<operation<T>>& all);
 template <class T>
 void add_exponentials(std::vector<operation<T>>& all);
 template <class T>
@@ -107,7 +107,7 @@ std::vector<operation<T>> all_operations() {
     add_swing_twist(all);
     add_angles(all);
     add_interpolation(all);
-    add_algebra(all);
+    add_rotors(all);
     add_exponentials(all);
     add_arcs(all);
     add_conversions(all);

@@ -48,6 +48,7 @@ function(swivel_add_kernels target)
         separate_arguments(flags)
         add_library(swivel_${isa} OBJECT kernels/isa/${isa}.cpp)
         target_compile_features(swivel_${isa} PRIVATE cxx_std_20)
+        target_include_directories(swivel_${isa} PRIVATE ${PROJECT_SOURCE_DIR})
         target_include_directories(swivel_${isa} SYSTEM PRIVATE "${swivel_xsimd}")
         # Always -O2, also in a debug build: without inlining, functions of xsimd are emitted under names that two
         # ISAs share, and the linker keeps either. No exceptions and no link-time optimisation for the same reason.

@@ -1,0 +1,27 @@
+#ifndef SWIVEL_KERNELS_EXPONENTIALS_LOG_HPP
+#define SWIVEL_KERNELS_EXPONENTIALS_LOG_HPP
+
+#include "kernels/angles/atan2.hpp"
+#include "kernels/exponentials/polar_form.hpp"
+
+namespace swivel {
+namespace {
+
+// Streams in: x y z w. Out: x y z of half the angle times the axis.
+template <precision_index P, class V>
+struct log_op {
+    static constexpr int inputs = 4, quaternions_in = 1;
+    static constexpr int outputs = 3, quaternions_out = 0;
+
+    explicit log_op(const scalar_of<V>*) noexcept {}
+
+    void operator()(const V* in, V* out) const noexcept {
+        const polar_form<P, V> q = polar<P>(in, 1);
+        q.along(atan2_above<P>(q.m, q.w), out);
+    }
+};
+
+}  // namespace
+}  // namespace swivel
+
+#endif

@@ -1,0 +1,39 @@
+#ifndef SWIVEL_KERNELS_INTERPOLATION_NLERP_HPP
+#define SWIVEL_KERNELS_INTERPOLATION_NLERP_HPP
+
+#include "kernels/interpolation/interpolation.hpp"
+
+namespace swivel {
+namespace {
+
+// Streams in: a x y z w, b x y z w, t.
+template <precision_index P, bool LongWay, class V>
+struct nlerp_op {
+    using T = scalar_of<V>;
+    using M = arithmetic<P>;
+    static constexpr int inputs = 9, quaternions_in = 2;
+    static constexpr int outputs = 4, quaternions_out = 1;
+
+    explicit nlerp_op(const T*) noexcept {}
+
+    void operator()(const V* in, V* out) const noexcept {
+        const V zero(T(0)), one(T(1));
+        const rotor<V> a{in[0], in[1], in[2], in[3]}, given{in[4], in[5], in[6], in[7]};
+        const V t = in[8], s = one - t;
+        const V way = way_of<LongWay>(dot_of<P>(a, given));
+        const rotor<V> b = scaled(given, ratio_of_lengths<P>(dot_of<P>(a, a), dot_of<P>(given, given)) ^ way);
+
+        rotor<V> m{M::multiply_add(t, b.x, s * a.x), M::multiply_add(t, b.y, s * a.y),
+                   M::multiply_add(t, b.z, s * a.z), M::multiply_add(t, b.w, s * a.w)};
+        const V mm = dot_of<P>(m, m);
+        // A chord through the middle has no direction there.
+        const mask_of<V> nothing = mm <= V(constants<T>::pole_threshold) * dot_of<P>(a, a);
+        const rotor<V> between = normalized<P>(either(nothing, turned_about_x(a), m));
+        put(with_ends<P>(between, t == zero, a, t == one, flipped(given, way)), out);
+    }
+};
+
+}  // namespace
+}  // namespace swivel
+
+#endif

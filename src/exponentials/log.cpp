@@ -1,0 +1,25 @@
+#include "swivel/log.hpp"
+
+#include "src/call/arguments.hpp"
+
+namespace swivel {
+
+namespace {
+
+template <class T>
+status any_type(const quat_view<const T>& q, const vec3_view<T>& out, const options& o) noexcept {
+    return run(
+        active_operations<T>().log[index_of(o.accuracy)], [&](batch<T>&) { return check(o); },
+        std::tuple(group_of(q)), std::tuple(group_of(out)));
+}
+
+}  // namespace
+
+status log(const quat_view<const float>& q, const vec3_view<float>& out, options o) noexcept {
+    return any_type<float>(q, out, o);
+}
+status log(const quat_view<const double>& q, const vec3_view<double>& out, options o) noexcept {
+    return any_type<double>(q, out, o);
+}
+
+}  // namespace swivel

@@ -1,0 +1,28 @@
+#include "swivel/swing.hpp"
+
+#include "src/call/arguments.hpp"
+
+namespace swivel {
+
+namespace {
+
+template <class T>
+status any_type(const quat_view<const T>& q, const twist_axis<T>& a, const quat_view<T>& out,
+                const options& o) noexcept {
+    const component_order& order = order_for(a, o.order);
+    return project(active_operations<T>().swing[order.form][index_of(o.accuracy)], q, a, order, o,
+                   group_of(out, order));
+}
+
+}  // namespace
+
+status swing(const quat_view<const float>& q, const twist_axis<float>& a, const quat_view<float>& out,
+             options o) noexcept {
+    return any_type<float>(q, a, out, o);
+}
+status swing(const quat_view<const double>& q, const twist_axis<double>& a, const quat_view<double>& out,
+             options o) noexcept {
+    return any_type<double>(q, a, out, o);
+}
+
+}  // namespace swivel
