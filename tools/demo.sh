@@ -15,6 +15,6 @@ compile() {
 
 tools/install_packages.sh build || { echo "demo.sh: packages are missing"; exit 1; }
 step build compile
-step sample $build/tools/clip/make_sample_clip $build/sample.bvh
+step sample $build/tools/sample_clip/make_sample_clip $build/sample.bvh
 echo
 $build/tools/swivel/swivel decompose $build/sample.bvh

@@ -5,14 +5,14 @@
 #include <string>
 #include <string_view>
 
-#include "clip/bvh.hpp"
 #include "support/bvh_text.hpp"
+#include "swivel/clip/read.hpp"
 
 namespace swivel::clip {
 namespace {
 
 void expect_error(std::string_view text, std::size_t line, std::size_t column, std::string_view what,
-                  std::string_view expected, const bvh_options& options = {}) {
+                  std::string_view expected, const read_options& options = {}) {
     const read_result r = read_bvh(text, options);
     ASSERT_FALSE(r) << "was read as a clip";
     EXPECT_EQ(shown(r.error), shown({line, column, std::string(what), std::string(expected)}));

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/bvh.hpp"
 #include "support/bvh_text.hpp"
+#include "swivel/clip/read.hpp"
 
 namespace swivel::clip {
 namespace {

@@ -1,7 +1,5 @@
 // What the BVH reader accepts, and what the writer makes of it.
 
-#include "clip/bvh.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/sample_clip.hpp"
+#include "sample_clip.hpp"
 #include "support/bvh_text.hpp"
+#include "swivel/clip/read.hpp"
+#include "swivel/clip/write.hpp"
 
 namespace swivel::clip {
 namespace {

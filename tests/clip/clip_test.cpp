@@ -1,4 +1,4 @@
-#include "clip/clip.hpp"
+#include "swivel/clip/clip.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "clip/bvh.hpp"
-#include "clip/sample_clip.hpp"
+#include "sample_clip.hpp"
+#include "swivel/clip/write.hpp"
 
 namespace swivel::clip {
 namespace {
@@ -37,7 +37,7 @@ quaternion rotation(const std::vector<channel>& channels, const std::vector<doub
     c.frames = 1;
     c.values = values;
     quaternion q{};
-    joint_rotations(c, 0, &q.x, &q.y, &q.z, &q.w);
+    EXPECT_EQ(joint_rotations(c, 0, soa(&q.x, &q.y, &q.z, &q.w, 1)), status::ok);
     return q;
 }
 
@@ -152,6 +152,47 @@ TEST(ClipRotation, SignFollowsTheAngle) {
     }
 }
 
+TEST(ClipRotation, WritesAnyLayout) {
+    const clip c = make_sample_clip();
+    std::vector<double> x(c.frames), y(c.frames), z(c.frames), w(c.frames), wxyz(4 * c.frames);
+    ASSERT_EQ(joint_rotations(c, 3, soa(x.data(), y.data(), z.data(), w.data(), c.frames)), status::ok);
+    ASSERT_EQ(joint_rotations(c, 3, aos_wxyz(wxyz.data(), c.frames)), status::ok);
+    for (std::size_t frame = 0; frame < c.frames; ++frame) {
+        const double* const q = wxyz.data() + 4 * frame;
+        EXPECT_EQ((quaternion{q[1], q[2], q[3], q[0]}), (quaternion{x[frame], y[frame], z[frame], w[frame]}));
+    }
+}
+
+TEST(ClipRotation, RefusesWhatDoesNotFitTheClipAndWritesNothing) {
+    const clip good = make_sample_clip();
+    std::vector<double> out(4 * good.frames, 7);
+    const auto refused = [&](const auto& spoil) {
+        clip c = good;
+        std::size_t joint_index = 0;
+        quat_view<double> q = aos_xyzw(out.data(), c.frames);
+        spoil(c, joint_index, q);
+        return joint_rotations(c, joint_index, q);
+    };
+    using index = std::size_t;
+    using view = quat_view<double>;
+    EXPECT_EQ(refused([](clip&, index& j, view&) { j = 21; }), status::bad_argument);
+    EXPECT_EQ(refused([](clip& c, index& j, view&) { c.skeleton.joints[j].first_channel = 61; }),
+              status::bad_argument);
+    EXPECT_EQ(refused([](clip& c, index&, view&) { c.skeleton.channel_count = 5; }), status::bad_argument);
+    EXPECT_EQ(refused([](clip&, index&, view& q) { q.stride = 0; }), status::bad_argument);
+    EXPECT_EQ(refused([](clip&, index&, view& q) { --q.size; }), status::size_mismatch);
+    EXPECT_EQ(refused([](clip& c, index&, view&) { c.values.pop_back(); }), status::size_mismatch);
+    EXPECT_EQ(refused([](clip& c, index&, view&) { c.values.clear(); }), status::size_mismatch);
+    EXPECT_EQ(refused([](clip&, index&, view& q) { q.w = nullptr; }), status::null_stream);
+    EXPECT_EQ(out, std::vector<double>(out.size(), 7));
+    const auto rest_pose = [](clip& c, index&, view& q) {
+        c.frames = 0;
+        c.values.clear();
+        q = {};
+    };
+    EXPECT_EQ(refused(rest_pose), status::ok);
+}
+
 TEST(ClipRotation, IsUnit) {
     std::mt19937_64 engine(2);
     for (int i = 0; i < 200'000; ++i) {
@@ -166,7 +207,7 @@ TEST(ClipRotation, TakesEachFrameFromTheColumnsOfTheJoint) {
     const std::size_t hand = *find_joint(c.skeleton, "RightHand");
     const joint& j = c.skeleton.joints[hand];
     std::vector<double> x(c.frames), y(c.frames), z(c.frames), w(c.frames);
-    joint_rotations(c, hand, x.data(), y.data(), z.data(), w.data());
+    ASSERT_EQ(joint_rotations(c, hand, soa(x.data(), y.data(), z.data(), w.data(), c.frames)), status::ok);
     for (std::size_t frame = 0; frame < c.frames; ++frame) {
         const auto first = c.values.begin() +
                            static_cast<std::ptrdiff_t>(frame * c.skeleton.channel_count + j.first_channel);

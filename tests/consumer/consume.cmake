@@ -1,7 +1,10 @@
-# Builds the program decompose_one the way a user would (`kind`), runs it, and checks that nothing of the library's
-# own build is asked of the user: none of its flags, and no xsimd.
+# Builds the programs decompose_one and read_clip the way a user would (`kind`), runs them, and checks that nothing of
+# the libraries' own build is asked of the user: none of their flags, and no xsimd.
 
 cmake_minimum_required(VERSION 3.20)
+
+set(programs decompose_one read_clip)
+set(packages swivel swivel-clip)
 
 function(run)
     execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
@@ -23,12 +26,14 @@ if(kind STREQUAL "pkg_config")
     endif()
     file(MAKE_DIRECTORY ${binary})
     set(ENV{PKG_CONFIG_LIBDIR} ${prefix}/${libdir}/pkgconfig)
-    execute_process(COMMAND ${pkg_config} --cflags --libs swivel
-        OUTPUT_VARIABLE package_flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
-    check_command("${package_flags}")
-    separate_arguments(package_flags UNIX_COMMAND "${package_flags}")
-    separate_arguments(flags UNIX_COMMAND "${flags}")
-    run(${compiler} -std=c++20 ${flags} ${source}/decompose_one.cpp ${package_flags} -o ${binary}/decompose_one)
+    separate_arguments(compiler_flags UNIX_COMMAND "${flags}")
+    foreach(program package IN ZIP_LISTS programs packages)
+        execute_process(COMMAND ${pkg_config} --cflags --libs ${package}
+            OUTPUT_VARIABLE package_flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+        check_command("${package_flags}")
+        separate_arguments(package_flags UNIX_COMMAND "${package_flags}")
+        run(${compiler} -std=c++20 ${compiler_flags} ${source}/${program}.cpp ${package_flags} -o ${binary}/${program})
+    endforeach()
 else()
     file(REMOVE_RECURSE ${binary})
     set(options "-DCMAKE_CXX_COMPILER=${compiler}" "-DCMAKE_CXX_FLAGS=${flags}" -DCMAKE_BUILD_TYPE=Release
@@ -49,18 +54,21 @@ else()
     file(READ ${binary}/compile_commands.json commands)
     string(JSON count LENGTH "${commands}")
     math(EXPR last "${count} - 1")
-    set(checked OFF)
+    set(unchecked ${programs})
     foreach(i RANGE ${last})
         string(JSON file GET "${commands}" ${i} file)
-        if(file MATCHES "decompose_one")
+        get_filename_component(program ${file} NAME_WE)
+        if(program IN_LIST programs)
             string(JSON command GET "${commands}" ${i} command)
             check_command("${command}")
-            set(checked ON)
+            list(REMOVE_ITEM unchecked ${program})
         endif()
     endforeach()
-    if(NOT checked)
-        message(FATAL_ERROR "no command line of decompose_one.cpp in compile_commands.json")
+    if(unchecked)
+        message(FATAL_ERROR "no command line of ${unchecked} in compile_commands.json")
     endif()
 endif()
 
-run(${emulator} ${binary}/decompose_one)
+foreach(program IN LISTS programs)
+    run(${emulator} ${binary}/${program})
+endforeach()

@@ -7,7 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "clip/bvh.hpp"
+#include "swivel/clip/read.hpp"
+#include "swivel/clip/write.hpp"
 
 namespace {
 

@@ -12,7 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/bvh.hpp"
+#include "swivel/clip/read.hpp"
+#include "swivel/clip/write.hpp"
 
 namespace swivel::clip {
 

@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "clip/text_cursor.hpp"
 #include "failure.hpp"
 #include "number_text.hpp"
 #include "row_fields.hpp"
+#include "swivel/clip/text.hpp"
 
 namespace swivel::command {
 

@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "clip/bvh.hpp"
-#include "clip/text_cursor.hpp"
 #include "commands.hpp"
 #include "failure.hpp"
 #include "joint_curves.hpp"
@@ -18,6 +16,8 @@
 #include "output.hpp"
 #include "progress.hpp"
 #include "row_fields.hpp"
+#include "swivel/clip/read.hpp"
+#include "swivel/clip/text.hpp"
 #include "text_table.hpp"
 
 namespace swivel::command {
@@ -53,7 +53,7 @@ clip::clip read_clip(const decompose_arguments& arguments, const std::string& sh
     clip::read_result result;
     {
         const progress bar("reading " + shown_name, 0);
-        clip::bvh_options options;
+        clip::read_options options;
         options.strict = arguments.strict;
         result = clip::read_bvh_file(arguments.clip, options);
     }
@@ -122,7 +122,7 @@ public:
         }
         const clip::bone_direction& bone = directions_[joint_index];
         const clip::vec3& d = bone.direction;
-        return {swivel::vec3<double>{d.x, d.y, d.z}, shown_direction(d.x, d.y, d.z), clip::name(bone.rule)};
+        return {d, shown_direction(d.x, d.y, d.z), clip::name(bone.rule)};
     }
 
 private:

@@ -32,10 +32,9 @@ void factor_joint(const clip::clip& c, std::size_t joint_index, const swivel::tw
         curve->resize(n);
 
     options.positive_twist = true;
-    clip::joint_rotations(c, joint_index, curves.sx.data(), curves.sy.data(), curves.sz.data(),
-                          curves.sw.data());
     // The swing takes the place of the rotation.
     const auto swing = swivel::soa(curves.sx.data(), curves.sy.data(), curves.sz.data(), curves.sw.data(), n);
+    require_ok(clip::joint_rotations(c, joint_index, swing));
     const auto twist = swivel::soa(curves.tx.data(), curves.ty.data(), curves.tz.data(), curves.tw.data(), n);
     const swivel::scalar_view<double> twist_angle{curves.twist_degrees.data(), n};
     require_ok(swivel::twist_angle(swivel::quat_view<const double>(swing), axis, twist_angle, options));

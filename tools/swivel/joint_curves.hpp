@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "clip/clip.hpp"
+#include "swivel/clip/clip.hpp"
 #include "swivel/swivel.hpp"
 
 namespace swivel::command {

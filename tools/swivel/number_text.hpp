@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "clip/text_cursor.hpp"
+#include "swivel/clip/text.hpp"
 
 namespace swivel::command {
 

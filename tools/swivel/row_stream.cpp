@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "clip/text_cursor.hpp"
 #include "failure.hpp"
 #include "number_text.hpp"
 #include "progress.hpp"
 #include "row_fields.hpp"
+#include "swivel/clip/text.hpp"
 
 namespace swivel::command {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "clip/text_cursor.hpp"
+#include "swivel/clip/text.hpp"
 
 namespace swivel::command {
 

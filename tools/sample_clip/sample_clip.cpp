@@ -1,4 +1,4 @@
-#include "clip/sample_clip.hpp"
+#include "sample_clip.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,9 +1,9 @@
-#ifndef SWIVEL_CLIP_SAMPLE_CLIP_HPP
-#define SWIVEL_CLIP_SAMPLE_CLIP_HPP
+#ifndef SWIVEL_SAMPLE_CLIP_HPP
+#define SWIVEL_SAMPLE_CLIP_HPP
 
 // A clip that needs no file: for demonstrations, tests and benchmarks.
 
-#include "clip/clip.hpp"
+#include "swivel/clip/clip.hpp"
 
 namespace swivel::clip {
 
@@ -14,4 +14,4 @@ namespace swivel::clip {
 
 }  // namespace swivel::clip
 
-#endif  // SWIVEL_CLIP_SAMPLE_CLIP_HPP
+#endif  // SWIVEL_SAMPLE_CLIP_HPP

@@ -1,3 +1,5 @@
+#include "swivel/clip/read.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -7,8 +9,8 @@
 #include <system_error>
 #include <utility>
 
-#include "clip/bvh.hpp"
-#include "clip/text_cursor.hpp"
+#include "src/clip/text_cursor.hpp"
+#include "swivel/clip/text.hpp"
 
 namespace swivel::clip {
 
@@ -50,7 +52,7 @@ std::string counted(std::size_t count, std::string_view noun) {
 // Every member function that returns bool returns false after the error has been noted.
 class bvh_reader {
 public:
-    bvh_reader(std::string_view text, const bvh_options& options) noexcept : in_(text), options_(options) {}
+    bvh_reader(std::string_view text, const read_options& options) noexcept : in_(text), options_(options) {}
 
     read_result read() {
         read_result result;
@@ -94,7 +96,7 @@ private:
     [[nodiscard]] std::string current_name() { return "joint " + quoted(current().name); }
 
     text_cursor in_;
-    bvh_options options_;
+    read_options options_;
     clip clip_;
     diagnostic error_;
     std::vector<diagnostic> warnings_;
@@ -385,7 +387,7 @@ read_result unreadable(std::string_view doing, int error_number) {
 
 }  // namespace
 
-read_result read_bvh(std::string_view text, const bvh_options& options) {
+read_result read_bvh(std::string_view text, const read_options& options) {
     if (text.size() > options.max_bytes) return too_large(options.max_bytes);
     if (is_utf16(text)) {
         read_result result;
@@ -395,7 +397,7 @@ read_result read_bvh(std::string_view text, const bvh_options& options) {
     return bvh_reader(without_byte_order_mark(text), options).read();
 }
 
-read_result read_bvh_file(const std::string& path, const bvh_options& options) {
+read_result read_bvh_file(const std::string& path, const read_options& options) {
     const bool is_standard_input = path == "-";
     const auto close = [](std::FILE* f) { std::fclose(f); };
     const std::unique_ptr<std::FILE, decltype(close)> opened(

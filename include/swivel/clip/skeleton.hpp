@@ -1,7 +1,24 @@
-#ifndef SWIVEL_CLIP_CLIP_HPP
-#define SWIVEL_CLIP_CLIP_HPP
+#ifndef SWIVEL_CLIP_SKELETON_HPP
+#define SWIVEL_CLIP_SKELETON_HPP
 
-// Skeletons and clips, independent of the file format they came from, and what a reader hands back.
+// swivel::clip: skeletons and clips of motion, and the files that hold them
+//
+//   Target     swivel::clip in CMake (find_package(swivel COMPONENTS clip)), swivel-clip in pkg-config. It needs
+//              swivel::swivel, of which it sees the public headers only.
+//   Headers    skeleton.hpp   joints, channels, the direction of bones
+//              clip.hpp       a skeleton with its motion, rotations of a joint over time
+//              read.hpp       clips from files, with errors and warnings as values
+//              write.hpp      clips to files
+//              text.hpp       numbers and words of text files
+//              Unlike those of swivel::swivel they use the strings and vectors of the standard library.
+//   Memory     A clip owns what it holds; there is nothing to be freed by hand.
+//   Errors     Values, never exceptions, but for std::bad_alloc where a function is not noexcept.
+//   Threads    No state is shared: any thread may call anything on clips of its own, and many may read one clip.
+//   Units      Lengths as in the file (often centimetres or inches), angles of channels in degrees, times in
+//              seconds. Rotations that come out are quaternions as in swivel/types.hpp.
+//   Checked    What readers return is whole: parents stand before their children, columns are numbered, all
+//              numbers are finite, names differ. A skeleton or clip that is built by hand is what its builder
+//              made of it; bvh_fault (write.hpp) tells.
 
 #include <array>
 #include <cstddef>
@@ -11,15 +28,11 @@
 #include <string_view>
 #include <vector>
 
+#include "swivel/types.hpp"
+
 namespace swivel::clip {
 
-struct vec3 {
-    double x = 0;
-    double y = 0;
-    double z = 0;
-
-    friend bool operator==(const vec3&, const vec3&) = default;
-};
+using vec3 = swivel::vec3<double>;
 
 enum class channel : std::uint8_t { x_position, y_position, z_position, x_rotation, y_rotation, z_rotation };
 
@@ -47,7 +60,7 @@ private:
 
 // The tip of a bone that has no joint of its own.
 struct end_site {
-    vec3 offset;
+    vec3 offset{};
     std::string name;  // often empty
 
     friend bool operator==(const end_site&, const end_site&) = default;
@@ -56,7 +69,7 @@ struct end_site {
 struct joint {
     std::string name;
     std::int32_t parent = -1;  // index in skeleton::joints, always less than the joint's own; -1 for a root
-    vec3 offset;               // from the parent, in the rest pose
+    vec3 offset{};             // from the parent, in the rest pose
     channel_list channels;
     std::size_t first_channel = 0;  // column of this joint's first channel in a row of the clip
     std::optional<end_site> end;
@@ -71,55 +84,12 @@ struct skeleton {
     friend bool operator==(const skeleton&, const skeleton&) = default;
 };
 
-struct clip {
-    swivel::clip::skeleton skeleton;
-    double frame_time = 0;       // seconds
-    std::size_t frames = 0;      // 0: the rest pose alone
-    std::vector<double> values;  // frames rows of skeleton.channel_count columns; positions as in the file,
-                                 // rotations in degrees
-
-    friend bool operator==(const clip&, const clip&) = default;
-};
-
-// A position in a text and what is the matter there. Lines and columns count from 1, columns in bytes; line 0
-// means the file as a whole (it cannot be opened, it is too large). To be shown as
-// `FILE:LINE:COLUMN: what, expected expected`.
-struct diagnostic {
-    std::size_t line = 0;
-    std::size_t column = 0;
-    std::string what;
-    std::string expected;
-
-    friend bool operator==(const diagnostic&, const diagnostic&) = default;
-};
-
-// What a reader returns: a clip, or the first error. Warnings may stand beside either.
-struct read_result {
-    std::optional<clip> value;
-    diagnostic error;  // meaningful when there is no value
-    std::vector<diagnostic> warnings;
-
-    explicit operator bool() const noexcept { return value.has_value(); }
-};
-
 // Numbers the columns: sets every first_channel and channel_count from the joints' channel lists, in joint
 // order. For whoever builds a skeleton by hand; readers have done it.
 void number_channels(skeleton& s) noexcept;
 
 // The index of the joint of that name (exact, case matters), or nothing. Linear in the joints.
 [[nodiscard]] std::optional<std::size_t> find_joint(const skeleton& s, std::string_view name) noexcept;
-
-// The local rotation of one joint in every frame, as unit quaternions (Hamilton, active: v' = q v q*).
-//   The joint's rotation channels are composed left to right as written: q = q1 q2 q3, so that the last one
-//   acts first on a vector. Position channels do not matter. One or two rotation channels work; a joint
-//   without any gives the identity.
-//   x, y, z, w: four arrays of c.frames elements; joint_index < c.skeleton.joints.size().
-//   Angles are reduced modulo 720 degrees without rounding, so a large angle is as accurate as a small one
-//   and the sign of q follows the angle: 360 degrees is -1, and a curve that turns on and on stays
-//   continuous. Single rotations by multiples of 60 and 90 degrees have correctly rounded components
-//   (multiples of 180 are exact). | |q| - 1 | < 1e-15, tested by ClipRotation.IsUnit.
-void joint_rotations(const clip& c, std::size_t joint_index, double* x, double* y, double* z,
-                     double* w) noexcept;
 
 // How the direction of a bone was found.
 enum class direction_rule : std::uint8_t {
@@ -130,10 +100,11 @@ enum class direction_rule : std::uint8_t {
     none               // neither, and no parent has one: y
 };
 
+// The English words for a rule, for messages.
 [[nodiscard]] std::string_view name(direction_rule r) noexcept;
 
 struct bone_direction {
-    vec3 direction;  // unit length, in the joint's own rest frame
+    vec3 direction{};  // unit length, in the joint's own rest frame
     direction_rule rule = direction_rule::none;
 
     friend bool operator==(const bone_direction&, const bone_direction&) = default;
@@ -145,9 +116,10 @@ struct bone_direction {
 //   at (its children, else its End Site) stands in its place. An End Site with offset (0, 0, 0) counts as
 //   none. Lengths below 1e-290 count as zero. Children whose mean vanishes (1e-9 of the mean of their
 //   lengths, or less) give no direction.
+//   Not checked: that parents stand before their children and offsets are finite, as readers leave them.
 // Linear in the joints.
 [[nodiscard]] std::vector<bone_direction> bone_directions(const skeleton& s);
 
 }  // namespace swivel::clip
 
-#endif  // SWIVEL_CLIP_CLIP_HPP
+#endif  // SWIVEL_CLIP_SKELETON_HPP

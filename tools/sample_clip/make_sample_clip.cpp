@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <string>
 
-#include "clip/bvh.hpp"
-#include "clip/sample_clip.hpp"
+#include "sample_clip.hpp"
+#include "swivel/clip/write.hpp"
 
 int main(int argc, char** argv) {
     if (argc != 2) {

@@ -1,10 +1,9 @@
-#ifndef SWIVEL_CLIP_TEXT_CURSOR_HPP
-#define SWIVEL_CLIP_TEXT_CURSOR_HPP
+#ifndef SWIVEL_SRC_CLIP_TEXT_CURSOR_HPP
+#define SWIVEL_SRC_CLIP_TEXT_CURSOR_HPP
 
-// Walks over a text and knows its line and column; turns tokens into numbers. Private to the readers.
+// Walks over a text and knows its line and column.
 
 #include <cstddef>
-#include <string>
 #include <string_view>
 
 namespace swivel::clip {
@@ -45,25 +44,6 @@ private:
     std::size_t line_start_ = 0;
 };
 
-// A number and, when the token is none, the reason, which completes the sentence "'1x0' ...".
-template <class T>
-struct parsed {
-    T value{};
-    std::string_view fault{};
-};
-
-// The whole token as a finite double. Too small for a double is zero of its sign.
-[[nodiscard]] parsed<double> parse_number(std::string_view token) noexcept;
-[[nodiscard]] parsed<std::size_t> parse_count(std::string_view token) noexcept;
-
-[[nodiscard]] bool equals_ignoring_case(std::string_view a, std::string_view b) noexcept;
-
-[[nodiscard]] bool is_blank(char c) noexcept;
-[[nodiscard]] bool is_control(char c) noexcept;
-
-// For messages: in quotes, bytes that a terminal would act on escaped, cut to a readable length.
-[[nodiscard]] std::string quoted(std::string_view text);
-
 }  // namespace swivel::clip
 
-#endif  // SWIVEL_CLIP_TEXT_CURSOR_HPP
+#endif  // SWIVEL_SRC_CLIP_TEXT_CURSOR_HPP

@@ -1,7 +1,19 @@
-#ifndef SWIVEL_CLIP_BVH_HPP
-#define SWIVEL_CLIP_BVH_HPP
+#ifndef SWIVEL_CLIP_READ_HPP
+#define SWIVEL_CLIP_READ_HPP
 
-// Biovision hierarchy (BVH) files, read and written.
+// Clips from files, with errors and warnings as values. skeleton.hpp has what holds for the whole library.
+//
+// Example
+//
+//   const swivel::clip::read_result r = swivel::clip::read_bvh_file("walk.bvh");
+//   for (const swivel::clip::diagnostic& w : r.warnings) show("walk.bvh", w);
+//   if (!r) return show("walk.bvh", r.error);
+//   use(*r.value);
+//
+// Files are data of strangers: any bytes give a clip or an error, in time and memory that are linear in their
+// number, whatever the counts in them say. Nothing recurses, nothing is asked of the locale.
+//
+// Biovision hierarchy (BVH) files
 //
 // Grammar
 //   file      = "HIERARCHY" root { root } "MOTION" "Frames" ":" count "Frame" "Time" ":" number  rows
@@ -31,7 +43,7 @@
 //   Frames: 0 is a clip without frames: the rest pose, which the hierarchy alone describes.
 //
 // Errors: the first one is reported, at the first byte of the token that is wrong unless said otherwise
-//   - nothing but blanks; UTF-16 (with or without a byte order mark); more than bvh_options::max_bytes
+//   - nothing but blanks; UTF-16 (with or without a byte order mark); more than read_options::max_bytes
 //   - no HIERARCHY first, no ROOT after it, no MOTION after the last root, an unknown keyword anywhere
 //   - a name missing, with a brace or control character (a NUL among them) in it, or given to two joints
 //   - "{" or "}" missing (at the token that stands in its place, or at the end) or one too many
@@ -52,47 +64,56 @@
 //   - anything but complete rows of numbers after the last row
 // Warnings
 //   - more rows than Frames: at the first of them. They are checked like the others, then left out. An error
-//     with bvh_options::strict.
+//     with read_options::strict.
 //
-// Cost: time and memory are linear in the size of the text (a factor log n for comparing n names), whatever
-// the counts in it say and however deep the joints are nested. Independent of the locale. The only exception
-// is std::bad_alloc.
+// Cost: linear in the size of the text, and a factor log n for comparing n names. Memory: the text, 8 bytes for
+// each value and some 300 for each joint.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "clip/clip.hpp"
+#include "swivel/clip/clip.hpp"
 
 namespace swivel::clip {
 
 inline constexpr std::size_t bvh_max_joints = 1'000'000;
 inline constexpr std::size_t bvh_max_frames = 16'777'216;
 
-struct bvh_options {
+// A position in a text and what is the matter there. Lines and columns count from 1, columns in bytes; line 0
+// means the file as a whole (it cannot be opened, it is too large). To be shown as
+// `FILE:LINE:COLUMN: what, expected expected`.
+struct diagnostic {
+    std::size_t line = 0;
+    std::size_t column = 0;
+    std::string what;
+    std::string expected;
+
+    friend bool operator==(const diagnostic&, const diagnostic&) = default;
+};
+
+// A clip, or the first error. Warnings may stand beside either.
+struct read_result {
+    std::optional<clip> value;
+    diagnostic error;  // meaningful when there is no value
+    std::vector<diagnostic> warnings;
+
+    explicit operator bool() const noexcept { return value.has_value(); }
+};
+
+struct read_options {
     bool strict = false;                           // warnings are errors
     std::size_t max_bytes = std::size_t{1} << 30;  // larger input is refused before it is read to the end
 };
 
-[[nodiscard]] read_result read_bvh(std::string_view text, const bvh_options& options = {});
+[[nodiscard]] read_result read_bvh(std::string_view text, const read_options& options = {});
 
 // From the file at `path`, or from standard input when it is "-". The text is held in memory while it is
 // read. A file that cannot be opened or read is an error at line 0.
-[[nodiscard]] read_result read_bvh_file(const std::string& path, const bvh_options& options = {});
-
-// What keeps the clip from being written as a BVH file that reads back as the same clip, in one sentence;
-// empty when nothing does. Clips from read_bvh have no fault. A fault is: no joint or too many, a parent that
-// does not stand before its child, a name that the grammar above cannot express or that two joints share,
-// columns not numbered as by number_channels, too many frames, a number of values that is not frames times
-// channels, a frame time that is not positive, anything not finite.
-[[nodiscard]] std::string bvh_fault(const clip& c);
-
-// The clip as the text of a BVH file: LF, one tab a level (32 at most, so that the size stays linear in the
-// joints), the shortest numbers that read back as the same doubles, -0 included. Reading it gives the same
-// clip bit for bit if the joints are in depth-first order, as readers leave them; else the joints and their
-// columns come back in that order. A clip with a fault gives the empty string, which is no BVH file.
-[[nodiscard]] std::string write_bvh(const clip& c);
+[[nodiscard]] read_result read_bvh_file(const std::string& path, const read_options& options = {});
 
 }  // namespace swivel::clip
 
-#endif  // SWIVEL_CLIP_BVH_HPP
+#endif  // SWIVEL_CLIP_READ_HPP

@@ -1,3 +1,5 @@
+#include "swivel/clip/write.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -8,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "clip/bvh.hpp"
-#include "clip/text_cursor.hpp"
+#include "swivel/clip/read.hpp"
+#include "swivel/clip/text.hpp"
 
 namespace swivel::clip {
 
