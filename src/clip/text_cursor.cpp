@@ -4,11 +4,9 @@
 
 namespace swivel::clip {
 
-namespace {
-
-bool is_line_end(char c) noexcept { return c == '\n' || c == '\r'; }
-
-}  // namespace
+bool text_cursor::ends_in_token() const noexcept {
+    return !text_.empty() && !is_blank(text_.back()) && !is_line_end(text_.back());
+}
 
 void text_cursor::skip_blanks() noexcept {
     while (at_ < text_.size() && is_blank(text_[at_])) ++at_;

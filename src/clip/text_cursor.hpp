@@ -15,11 +15,16 @@ struct token {
     std::size_t column = 0;
 };
 
+[[nodiscard]] constexpr bool is_line_end(char c) noexcept { return c == '\n' || c == '\r'; }
+
 class text_cursor {
 public:
     explicit text_cursor(std::string_view text) noexcept : text_(text) {}
 
     [[nodiscard]] std::size_t remaining() const noexcept { return text_.size() - at_; }
+
+    // The last byte of the whole text belongs to a token.
+    [[nodiscard]] bool ends_in_token() const noexcept;
 
     // The next token on this line or a later one; each character of `singles` is a token of its own.
     token take(std::string_view singles) noexcept;

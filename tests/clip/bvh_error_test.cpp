@@ -47,6 +47,19 @@ TEST(BvhError, Utf16WithAndWithoutByteOrderMark) {
     for (const auto& text : without_mark) expect_error(text, 1, 1, "the text is UTF-16", "ASCII or UTF-8");
 }
 
+TEST(BvhError, PackedFilesAreNamed) {
+    const struct {
+        std::string_view bytes, format;
+    } files[] = {{"\x1f\x8b\x08", "gzip"},    {"PK\x03\x04\x14", "zip"},       {"PK\x05\x06", "zip"},
+                 {"PK\x07\x08PK", "zip"},     {"\xfd\x37zXZ", "xz"},           {"\x28\xb5\x2f\xfd", "zstd"},
+                 {"BZh91AY&SY", "bzip2"},     {"7z\xbc\xaf\x27\x1c", "7-Zip"}, {"\x1f\x9d\x90", "compress"},
+                 {"\x04\x22\x4d\x18", "lz4"}, {"Rar!\x1a\x07", "rar"}};
+    for (const auto& [bytes, format] : files)
+        for (const std::string& rest : {std::string(), std::string(100, '\0'), valid_bvh})
+            expect_error(std::string(bytes) + rest, 1, 1,
+                         "the file is compressed (" + std::string(format) + ")", "text: unpack it first");
+}
+
 TEST(BvhError, UnknownKeyword) {
     expect_error(with("\tJOINT Leg", "\tBONE Leg"), 6, 2, "unexpected 'BONE'",
                  "OFFSET, CHANNELS, JOINT, End Site or '}'");
@@ -117,10 +130,13 @@ TEST(BvhError, OffsetWithoutThreeNumbers) {
     expect_error(with("OFFSET 0 95 0", "OFFSET 0 nan 0"), 4, 11, "'nan' is not finite", "a number");
 }
 
-TEST(BvhError, ChannelsMissing) {
-    expect_error(with("\t\tCHANNELS 3 Xrotation Yrotation Zrotation\n", ""), 9, 3,
-                 "joint 'Leg' has no CHANNELS", "CHANNELS first");
-    expect_error("HIERARCHY ROOT a { OFFSET 0 0 0 }", 1, 33, "joint 'a' has no CHANNELS", "CHANNELS first");
+TEST(BvhError, ChannelsAfterAChildOrEndSite) {
+    const std::string_view late = "joint 'Leg' has CHANNELS after a child or End Site";
+    const std::string none = with("\t\tCHANNELS 3 Xrotation Yrotation Zrotation\n", "");
+    expect_error(with(none, "\t\t}\n\t}", "\t\t}\n\t\tCHANNELS 1 Xrotation\n\t}"), 13, 3, late,
+                 "CHANNELS before them");
+    expect_error(with(none, "\t\t}\n\t}", "\t\t}\nJOINT a {OFFSET 0 0 0 CHANNELS 0}\nCHANNELS 0\n\t}"), 14, 1,
+                 late, "CHANNELS before them");
 }
 
 TEST(BvhError, ChannelsTwice) {
@@ -174,8 +190,14 @@ TEST(BvhError, SecondEndSite) {
 }
 
 TEST(BvhError, EndSiteWithMoreThanAnOffset) {
-    expect_error(with("OFFSET 0 -40 0\n", "OFFSET 0 -40 0\nCHANNELS 0\n"), 13, 1, "unexpected 'CHANNELS'",
+    expect_error(with("OFFSET 0 -40 0\n", "OFFSET 0 -40 0\nEnd Site\n"), 13, 1, "unexpected 'End'",
                  "'}' after the OFFSET of the End Site");
+    expect_error(with("OFFSET 0 -40 0\n", "OFFSET 0 -40 0\nCHANNELS 0 CHANNELS 0\n"), 13, 12,
+                 "the End Site has a second CHANNELS", "OFFSET alone");
+    expect_error(with("OFFSET 0 -40 0\n", "CHANNELS 1 Xrotation\n"), 13, 3, "the End Site has no OFFSET",
+                 "OFFSET first");
+    expect_error(with("OFFSET 0 -40 0\n", "OFFSET 0 -40 0\nCHANNELS 7\n"), 13, 10, "7 channels in one joint",
+                 "at most 6");
     expect_error(with("\t\t\tOFFSET 0 -40 0\n", "\t\t\tJOINT x\n"), 12, 4, "unexpected 'JOINT'",
                  "OFFSET in the End Site");
 }
@@ -306,7 +328,9 @@ TEST(BvhError, JunkAfterTheEnd) {
     expect_error(valid_bvh + "MOTION\n", 21, 1, "unexpected 'MOTION' after the last row",
                  "the end of the text");
     expect_error(valid_bvh + "\n  }", 22, 3, "unexpected '}' after the last row", "the end of the text");
-    expect_error(valid_bvh + "\x1a", 21, 1, "unexpected '\\x1a' after the last row", "the end of the text");
+    expect_error(valid_bvh + "\x1a\n1", 21, 1, "unexpected '\\x1a' after the last row",
+                 "the end of the text");
+    expect_error(valid_bvh + "x\x1a", 21, 1, "unexpected 'x' after the last row", "the end of the text");
     expect_error(valid_bvh + "1 2 3\n", 21, 6, "row too short: 3 values", "9");
 }
 

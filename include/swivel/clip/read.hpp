@@ -41,17 +41,20 @@
 //     several lines. Blank lines are skipped. With no channels in the whole file there are no rows to
 //     see, and "Frames" is taken as it stands.
 //   Frames: 0 is a clip without frames: the rest pose, which the hierarchy alone describes.
+//   A text that was cut off within the last number of its last row reads as a shorter number.
 //
 // Errors: the first one is reported, at the first byte of the token that is wrong unless said otherwise
 //   - nothing but blanks; UTF-16 (with or without a byte order mark); more than read_options::max_bytes
+//   - a packed file (gzip, zip, bzip2, xz, zstd, lz4, compress, 7-Zip, rar), which is named
 //   - no HIERARCHY first, no ROOT after it, no MOTION after the last root, an unknown keyword anywhere
 //   - a name missing, with a brace or control character (a NUL among them) in it, or given to two joints
 //   - "{" or "}" missing (at the token that stands in its place, or at the end) or one too many
-//   - OFFSET or CHANNELS missing (at the child, End Site or "}" that comes before it), or given twice
+//   - OFFSET missing (at the child, End Site or "}" that comes before it), or OFFSET or CHANNELS given twice
+//   - CHANNELS after a child or End Site
 //   - OFFSET with fewer than three numbers (at the keyword) or more (at the fourth)
 //   - CHANNELS without a count (at the keyword), or with fewer or more names than its count (at the count)
 //   - a channel that is unknown or given twice in a joint; a count of more than 6
-//   - a second End Site in a joint; anything but one OFFSET in an End Site
+//   - a second End Site in a joint; anything but one OFFSET, and what is warned of, in an End Site
 //   - more than bvh_max_joints joints (that also bounds the nesting)
 //   - Frames missing, negative, not whole, more than bvh_max_frames
 //   - Frame Time missing, zero, negative, not finite, or followed by something on its line
@@ -62,9 +65,20 @@
 //     line that begins the row, one past its last value
 //   - fewer rows than Frames: at the end of the text
 //   - anything but complete rows of numbers after the last row
-// Warnings
-//   - more rows than Frames: at the first of them. They are checked like the others, then left out. An error
-//     with read_options::strict.
+// Warnings, each an error with read_options::strict
+//   - CHANNELS missing in a joint (at the child, End Site or "}" that comes before it): it does not move
+//   - "EndSite", one word
+//   - CHANNELS in an End Site. Their columns are left out; and where the first line of the rows has as many
+//     values as the joints alone have channels, there are none, which is a second warning
+//   - more rows than Frames: at the first of them. They are checked like the others, then left out
+//   - end-of-file marks (1A) and NUL after the last row with nothing but blanks and line ends between and
+//     after them: at the first
+//   The first three are listed a hundred times at most, all together.
+// Salvage, with read_options::salvage and without strict
+//   - Where the rows break off, or are wrong in any other way, the whole rows before that are the clip, if
+//     there is one at least. What would have been the error is a warning that says how many of how many. A
+//     row counts as whole if something follows its last number, so that no digit of it can be missing, or if
+//     it is the last that Frames announces.
 //
 // Cost: linear in the size of the text, and a factor log n for comparing n names. Memory: the text, 8 bytes for
 // each value and some 300 for each joint.
@@ -99,12 +113,14 @@ struct read_result {
     std::optional<clip> value;
     diagnostic error;  // meaningful when there is no value
     std::vector<diagnostic> warnings;
+    std::size_t warnings_left_out = 0;  // more of the kinds that are listed
 
     explicit operator bool() const noexcept { return value.has_value(); }
 };
 
 struct read_options {
     bool strict = false;                           // warnings are errors
+    bool salvage = false;                          // a clip that was cut off is read as far as it goes
     std::size_t max_bytes = std::size_t{1} << 30;  // larger input is refused before it is read to the end
 };
 

@@ -16,6 +16,7 @@ namespace swivel::clip {
 
 namespace {
 
+constexpr std::size_t max_joint_warnings = 100;
 constexpr std::string_view braces = "{}";
 constexpr std::string_view header_singles = "{}:";
 
@@ -45,22 +46,66 @@ std::string_view without_byte_order_mark(std::string_view text) noexcept {
     return text.starts_with(mark) ? text.substr(mark.size()) : text;
 }
 
+// The name of the format by which a file is packed, known by its first bytes; empty when it is not.
+std::string_view packing(std::string_view text) noexcept {
+    constexpr std::pair<std::string_view, std::string_view> beginnings[] = {{"\x1f\x8b", "gzip"},
+                                                                            {"\x1f\x9d", "compress"},
+                                                                            {"PK\3\4", "zip"},
+                                                                            {"PK\5\6", "zip"},
+                                                                            {"PK\7\b", "zip"},
+                                                                            {"BZh", "bzip2"},
+                                                                            {"\xfd"
+                                                                             "7zXZ",
+                                                                             "xz"},
+                                                                            {"7z\xbc\xaf", "7-Zip"},
+                                                                            {"\x28\xb5\x2f\xfd", "zstd"},
+                                                                            {"\x04\x22\x4d\x18", "lz4"},
+                                                                            {"Rar!\x1a", "rar"}};
+    for (const auto& [bytes, name] : beginnings)
+        if (text.starts_with(bytes)) return name;
+    return {};
+}
+
+// Marks of the end of a file, as old systems wrote them or as space is left that was never written to.
+bool is_end_mark(char c) noexcept { return c == '\x1a' || c == '\0'; }
+
+// Up to the first mark after which nothing but marks, blanks and line ends follows.
+std::string_view without_end_marks(std::string_view text) noexcept {
+    std::size_t end = text.size();
+    for (std::size_t at = text.size(); at > 0; --at) {
+        const char c = text[at - 1];
+        if (is_end_mark(c))
+            end = at - 1;
+        else if (!is_blank(c) && !is_line_end(c))
+            break;
+    }
+    return text.substr(0, end);
+}
+
 std::string counted(std::size_t count, std::string_view noun) {
     return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }
 
+// Columns of a row that belong to no joint.
+struct column_range {
+    std::size_t first;
+    std::size_t count;
+};
+
 // Every member function that returns bool returns false after the error has been noted.
 class bvh_reader {
 public:
-    bvh_reader(std::string_view text, const read_options& options) noexcept : in_(text), options_(options) {}
+    bvh_reader(std::string_view text, const read_options& options) noexcept
+        : in_(without_end_marks(text)), end_mark_(text.substr(in_.remaining(), 1)), options_(options) {}
 
     read_result read() {
         read_result result;
-        if (read_hierarchy() && read_motion_header() && read_rows())
+        if (read_hierarchy() && read_motion())
             result.value = std::move(clip_);
         else
             result.error = std::move(error_);
         result.warnings = std::move(warnings_);
+        result.warnings_left_out = warnings_left_out_;
         return result;
     }
 
@@ -74,16 +119,39 @@ private:
     bool read_offset(const token& keyword, vec3& offset);
     bool read_channels(const token& keyword, channel_list& channels);
     bool read_end_site(const token& keyword);
+    bool read_end_site_block(end_site& end);
+    bool read_end_site_channels(const token& keyword);
     bool joint_is_complete(const token& next);
+    bool read_motion();
     bool read_motion_header();
+    bool find_row_width();
     bool read_rows();
-    bool note_surplus_rows(std::size_t rows, const token& first);
+    bool salvage_rows();
+    void leave_out_end_site_columns() noexcept;
+    bool note_end_mark();
 
     bool take_keyword(std::string_view keyword, std::string_view expected);
 
     bool fail(const token& at, std::string what, std::string_view expected) {
         error_ = {at.line, at.column, std::move(what), std::string(expected)};
         return false;
+    }
+
+    // A warning, or an error when warnings are. `consequence`: what the reader does about it.
+    bool warn(const token& at, const std::string& what, std::string_view consequence,
+              std::string_view expected) {
+        if (options_.strict) return fail(at, what, expected);
+        warnings_.push_back(
+            {at.line, at.column, what + "; " + std::string(consequence), std::string(expected)});
+        return true;
+    }
+
+    // For what may be the matter with every joint.
+    bool warn_of_joint(const token& at, const std::string& what, std::string_view consequence,
+                       std::string_view expected) {
+        if (warnings_.size() < max_joint_warnings) return warn(at, what, consequence, expected);
+        ++warnings_left_out_;
+        return true;
     }
 
     bool fail_unexpected(const token& t, std::string_view expected) {
@@ -96,17 +164,24 @@ private:
     [[nodiscard]] std::string current_name() { return "joint " + quoted(current().name); }
 
     text_cursor in_;
+    std::string_view end_mark_;  // empty when there is none
     read_options options_;
     clip clip_;
     diagnostic error_;
     std::vector<diagnostic> warnings_;
+    std::size_t warnings_left_out_ = 0;
     std::map<std::string_view, std::size_t> line_of_name_;
+    std::vector<bool> has_channels_;  // by joint
 
-    // The innermost open joint. Its OFFSET and CHANNELS stand before its first child, so that a joint to
-    // which the reader comes back has both.
+    // The innermost open joint. Its OFFSET and CHANNELS stand before its first child or End Site, from which on
+    // it is complete; so is a joint to which the reader comes back.
     std::int32_t current_ = -1;
     bool has_offset_ = false;
-    bool has_channels_ = false;
+    bool is_complete_ = false;
+
+    std::size_t row_width_ = 0;  // columns of all joints and End Sites so far
+    std::vector<column_range> end_site_columns_;
+    std::size_t rows_ = 0;  // read as a whole
 };
 
 bool bvh_reader::take_keyword(std::string_view keyword, std::string_view expected) {
@@ -139,12 +214,21 @@ bool bvh_reader::read_statement(const token& keyword) {
         return read_offset(keyword, current().offset);
     }
     if (is(keyword, "CHANNELS")) {
-        if (has_channels_) return fail(keyword, current_name() + " has a second CHANNELS", "one CHANNELS");
-        has_channels_ = true;
+        std::vector<bool>::reference has_channels = has_channels_[static_cast<std::size_t>(current_)];
+        if (has_channels) return fail(keyword, current_name() + " has a second CHANNELS", "one CHANNELS");
+        if (is_complete_)
+            return fail(keyword, current_name() + " has CHANNELS after a child or End Site",
+                        "CHANNELS before them");
+        has_channels = true;
         return read_channels(keyword, current().channels);
     }
     if (is(keyword, "JOINT")) return joint_is_complete(keyword) && open_joint(keyword);
-    if (is(keyword, "End")) return joint_is_complete(keyword) && read_end_site(keyword);
+    if (is(keyword, "End"))
+        return joint_is_complete(keyword) && take_keyword("Site", "Site after End") && read_end_site(keyword);
+    if (is(keyword, "EndSite"))
+        return joint_is_complete(keyword) &&
+               warn_of_joint(keyword, quoted(keyword.text) + " is one word", "read as two", "End Site") &&
+               read_end_site(keyword);
     if (keyword.text == "}") {
         if (!joint_is_complete(keyword)) return false;
         close_joint();
@@ -172,7 +256,8 @@ bool bvh_reader::open_joint(const token& keyword) {
     j.parent = current_;
     current_ = static_cast<std::int32_t>(joints.size());
     joints.push_back(std::move(j));
-    has_offset_ = has_channels_ = false;
+    has_channels_.push_back(false);
+    has_offset_ = is_complete_ = false;
 
     const token brace = in_.take(braces);
     return brace.text == "{" || fail_unexpected(brace, "'{' after the name of the joint");
@@ -180,7 +265,7 @@ bool bvh_reader::open_joint(const token& keyword) {
 
 void bvh_reader::close_joint() noexcept {
     current_ = current().parent;
-    has_offset_ = has_channels_ = true;
+    has_offset_ = is_complete_ = true;
 }
 
 bool bvh_reader::read_name(const token& keyword, token& name) {
@@ -206,8 +291,10 @@ bool bvh_reader::check_name(const token& name) {
 
 bool bvh_reader::joint_is_complete(const token& next) {
     if (!has_offset_) return fail(next, current_name() + " has no OFFSET", "OFFSET first");
-    if (!has_channels_) return fail(next, current_name() + " has no CHANNELS", "CHANNELS first");
-    return true;
+    if (is_complete_) return true;
+    is_complete_ = true;
+    return has_channels_[static_cast<std::size_t>(current_)] ||
+           warn_of_joint(next, current_name() + " has no CHANNELS", "it does not move", "CHANNELS first");
 }
 
 bool bvh_reader::read_offset(const token& keyword, vec3& offset) {
@@ -257,27 +344,57 @@ bool bvh_reader::read_channels(const token& keyword, channel_list& channels) {
     }
     if (parse_channel(in_.peek(braces).text))
         return fail(t, announced + " but gives more", "the count and the names to agree");
+    row_width_ += count.value;
     return true;
 }
 
 bool bvh_reader::read_end_site(const token& keyword) {
-    if (!take_keyword("Site", "Site after End")) return false;
     if (current().end) return fail(keyword, current_name() + " has a second End Site", "one End Site");
     const token name = in_.take_rest_of_line('{');
     if (!check_name(name)) return false;
     end_site end{{}, std::string(name.text)};
 
     if (const token t = in_.take(braces); t.text != "{") return fail_unexpected(t, "'{' after End Site");
-    const token t = in_.take(braces);
-    if (t.text == "}") return fail(t, "the End Site has no OFFSET", "OFFSET first");
-    if (!is(t, "OFFSET")) return fail_unexpected(t, "OFFSET in the End Site");
-    if (!read_offset(t, end.offset)) return false;
-    if (const token close = in_.take(braces); close.text != "}") {
-        if (is(close, "OFFSET")) return fail(close, "the End Site has a second OFFSET", "one OFFSET");
-        return fail_unexpected(close, "'}' after the OFFSET of the End Site");
-    }
+    if (!read_end_site_block(end)) return false;
     current().end = std::move(end);
     return true;
+}
+
+bool bvh_reader::read_end_site_block(end_site& end) {
+    bool has_offset = false;
+    bool has_channels = false;
+    for (;;) {
+        const token t = in_.take(braces);
+        if (t.text == "}") return has_offset || fail(t, "the End Site has no OFFSET", "OFFSET first");
+        if (is(t, "OFFSET")) {
+            if (has_offset) return fail(t, "the End Site has a second OFFSET", "one OFFSET");
+            has_offset = true;
+            if (!read_offset(t, end.offset)) return false;
+        } else if (is(t, "CHANNELS")) {
+            if (has_channels) return fail(t, "the End Site has a second CHANNELS", "OFFSET alone");
+            has_channels = true;
+            if (!read_end_site_channels(t)) return false;
+        } else {
+            return fail_unexpected(
+                t, has_offset ? "'}' after the OFFSET of the End Site" : "OFFSET in the End Site");
+        }
+    }
+}
+
+bool bvh_reader::read_end_site_channels(const token& keyword) {
+    if (!warn_of_joint(keyword, "CHANNELS in an End Site", "they are left out", "OFFSET alone")) return false;
+    const std::size_t first = row_width_;
+    channel_list channels;
+    if (!read_channels(keyword, channels)) return false;
+    if (!channels.empty()) end_site_columns_.push_back({first, channels.size()});
+    return true;
+}
+
+bool bvh_reader::read_motion() {
+    if (!read_motion_header() || !find_row_width()) return false;
+    if (!read_rows() && !salvage_rows()) return false;
+    leave_out_end_site_columns();
+    return note_end_mark();
 }
 
 bool bvh_reader::read_motion_header() {
@@ -310,13 +427,43 @@ bool bvh_reader::read_motion_header() {
     return rest.text.empty() || fail_unexpected(rest, "nothing more on the line of Frame Time");
 }
 
+// Whether the rows have columns for the channels of End Sites: not if the first line has just those of the joints.
+bool bvh_reader::find_row_width() {
+    if (end_site_columns_.empty() || !in_.skip_to_content()) return true;
+    text_cursor ahead = in_;
+    const token first = ahead.take_on_line();
+    std::size_t count = 1;
+    while (!ahead.take_on_line().text.empty()) ++count;
+    if (count != clip_.skeleton.channel_count) return true;
+    const std::string expected = std::to_string(row_width_);
+    row_width_ = count;
+    end_site_columns_.clear();
+    return warn(first, "row of " + counted(count, "value"), "the rows have none for the End Sites", expected);
+}
+
+void bvh_reader::leave_out_end_site_columns() noexcept {
+    if (end_site_columns_.empty()) return;
+    std::size_t kept = 0;
+    const auto keep = [&](std::size_t from, std::size_t to) {
+        for (; from < to; ++from) clip_.values[kept++] = clip_.values[from];
+    };
+    for (std::size_t row = 0; row < clip_.values.size(); row += row_width_) {
+        std::size_t column = 0;
+        for (const column_range& range : end_site_columns_) {
+            keep(row + column, row + range.first);
+            column = range.first + range.count;
+        }
+        keep(row + column, row + row_width_);
+    }
+    clip_.values.resize(kept);
+}
+
 bool bvh_reader::read_rows() {
-    const std::size_t width = clip_.skeleton.channel_count;
+    const std::size_t width = row_width_;
     std::vector<double>& values = clip_.values;
     // A value takes two bytes of text at least, so the product of the counts is bounded by what is there.
     values.reserve(std::min(clip_.frames * width, in_.remaining() / 2 + 1));
 
-    std::size_t rows = 0;
     std::size_t filled = 0;  // values of the row that is being read
     token first_surplus;
     token first_line_end;  // of the row that is being read
@@ -330,7 +477,7 @@ bool bvh_reader::read_rows() {
         for (token t = in_.take_on_line(); !t.text.empty(); t = in_.take_on_line()) {
             const parsed<double> number = parse_number(t.text);
             if (!number.fault.empty()) {
-                if (rows >= clip_.frames && filled == 0)
+                if (rows_ >= clip_.frames && filled == 0)
                     return fail(t, "unexpected " + quoted(t.text) + " after the last row",
                                 "the end of the text");
                 return fail(t, quoted(t.text) + " " + std::string(number.fault), "a number");
@@ -341,7 +488,7 @@ bool bvh_reader::read_rows() {
                 return fail(t, "row too long: " + counted(filled + 1, "value"), std::to_string(width));
             }
             ++filled;
-            if (rows < clip_.frames)
+            if (rows_ < clip_.frames)
                 values.push_back(number.value);
             else if (first_surplus.text.empty())
                 first_surplus = t;
@@ -349,24 +496,40 @@ bool bvh_reader::read_rows() {
         }
         if (filled_before == 0) first_line_end = {{}, last.line, last.column + last.text.size()};
         if (filled == width) {
-            ++rows;
+            ++rows_;
             filled = 0;
         }
     }
     if (filled > 0) return fail_short_row(filled);
-    if (rows < clip_.frames && width > 0)
-        return fail(in_.peek({}), counted(rows, "row") + " of motion",
-                    std::to_string(clip_.frames) + ", as Frames says");
-    return rows <= clip_.frames || note_surplus_rows(rows, first_surplus);
+    const bool are_missing = rows_ < clip_.frames && width > 0;
+    if (!are_missing && rows_ <= clip_.frames) return true;
+    const std::string what = counted(rows_, "row") + " of motion";
+    const std::string expected = std::to_string(clip_.frames) + ", as Frames says";
+    if (!are_missing) return warn(first_surplus, what, "those from here on are left out", expected);
+    // Of a number that the text ends in, digits may be missing.
+    if (rows_ > 0 && in_.ends_in_token()) --rows_;
+    return fail(in_.peek({}), what, expected);
 }
 
-bool bvh_reader::note_surplus_rows(std::size_t rows, const token& first) {
-    const std::string what =
-        counted(rows, "row") + " of motion" + (options_.strict ? "" : "; those from here on are left out");
-    const std::string expected = std::to_string(clip_.frames) + ", as Frames says";
-    if (options_.strict) return fail(first, what, expected);
-    warnings_.push_back({first.line, first.column, what, expected});
-    return true;
+bool bvh_reader::salvage_rows() {
+    if (!options_.salvage || options_.strict || rows_ == 0) return false;
+    const std::size_t announced = clip_.frames;
+    clip_.frames = std::min(rows_, announced);
+    clip_.values.resize(clip_.frames * row_width_);
+    return warn({{}, error_.line, error_.column}, error_.what,
+                std::to_string(clip_.frames) + " of " + counted(announced, "row") + " read", error_.expected);
+}
+
+bool bvh_reader::note_end_mark() {
+    if (end_mark_.empty() || in_.skip_to_content()) return true;
+    return warn(in_.peek({}), quoted(end_mark_) + " after the last row", "taken as the end of the text",
+                "the end of the text");
+}
+
+read_result failed_at_start(std::string what, std::string expected) {
+    read_result result;
+    result.error = {1, 1, std::move(what), std::move(expected)};
+    return result;
 }
 
 read_result failed_as_a_whole(std::string what, std::string expected) {
@@ -389,11 +552,10 @@ read_result unreadable(std::string_view doing, int error_number) {
 
 read_result read_bvh(std::string_view text, const read_options& options) {
     if (text.size() > options.max_bytes) return too_large(options.max_bytes);
-    if (is_utf16(text)) {
-        read_result result;
-        result.error = {1, 1, "the text is UTF-16", "ASCII or UTF-8"};
-        return result;
-    }
+    if (const std::string_view format = packing(text); !format.empty())
+        return failed_at_start("the file is compressed (" + std::string(format) + ")",
+                               "text: unpack it first");
+    if (is_utf16(text)) return failed_at_start("the text is UTF-16", "ASCII or UTF-8");
     return bvh_reader(without_byte_order_mark(text), options).read();
 }
 
