@@ -1,7 +1,7 @@
 #ifndef SWIVEL_KERNELS_POLYNOMIAL_HPP
 #define SWIVEL_KERNELS_POLYNOMIAL_HPP
 
-#include "kernels/registers/ops.hpp"
+#include "kernels/registers/registers.hpp"
 
 namespace swivel {
 namespace {

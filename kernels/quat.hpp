@@ -4,8 +4,8 @@
 // Quaternions in registers, and what several operations do with them. An infinity may come out as one.
 
 #include "kernels/constants.hpp"
-#include "kernels/kernel_table.hpp"
-#include "kernels/registers/ops.hpp"
+#include "kernels/kernel.hpp"
+#include "kernels/registers/registers.hpp"
 
 namespace swivel {
 namespace {

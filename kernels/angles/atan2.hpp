@@ -2,9 +2,10 @@
 #define SWIVEL_KERNELS_ANGLES_ATAN2_HPP
 
 #include "kernels/constants.hpp"
-#include "kernels/kernel_table.hpp"
+#include "kernels/kernel.hpp"
+#include "kernels/loops/streams.hpp"
 #include "kernels/polynomial.hpp"
-#include "kernels/registers/ops.hpp"
+#include "kernels/registers/registers.hpp"
 
 namespace swivel {
 namespace {
@@ -64,8 +65,8 @@ inline V angle_of(V y, V x, V distance) noexcept {
 template <precision_index P, class V>
 struct atan2_op {
     using M = arithmetic<P>;
-    static constexpr int inputs = 2, quaternions_in = 0;
-    static constexpr int outputs = 1, quaternions_out = 0;
+    using reads = streams<1, 1>;
+    using writes = streams<1>;
 
     explicit atan2_op(const scalar_of<V>*) noexcept {}
 

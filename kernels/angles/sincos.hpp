@@ -2,9 +2,10 @@
 #define SWIVEL_KERNELS_ANGLES_SINCOS_HPP
 
 #include "kernels/constants.hpp"
-#include "kernels/kernel_table.hpp"
+#include "kernels/kernel.hpp"
+#include "kernels/loops/streams.hpp"
 #include "kernels/polynomial.hpp"
-#include "kernels/registers/ops.hpp"
+#include "kernels/registers/registers.hpp"
 
 namespace swivel {
 namespace {
@@ -55,8 +56,8 @@ inline void sincos_of(V x, V& sine, V& cosine) noexcept {
 // Streams in: the angle. Out: its sine and cosine.
 template <precision_index P, class V>
 struct sincos_op {
-    static constexpr int inputs = 1, quaternions_in = 0;
-    static constexpr int outputs = 2, quaternions_out = 0;
+    using reads = streams<1>;
+    using writes = streams<1, 1>;
 
     explicit sincos_op(const scalar_of<V>*) noexcept {}
 

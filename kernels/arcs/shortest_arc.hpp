@@ -1,6 +1,7 @@
 #ifndef SWIVEL_KERNELS_ARCS_SHORTEST_ARC_HPP
 #define SWIVEL_KERNELS_ARCS_SHORTEST_ARC_HPP
 
+#include "kernels/loops/streams.hpp"
 #include "kernels/quat.hpp"
 #include "kernels/vector3.hpp"
 
@@ -52,8 +53,8 @@ inline rotor<V> arc_between(const vector3<V>& a, const vector3<V>& b) noexcept {
 // Streams in: x y z of the vector that is turned, x y z of that to which. Out: x y z w.
 template <precision_index P, class V>
 struct shortest_arc_op {
-    static constexpr int inputs = 6, quaternions_in = 0;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<3, 3>;
+    using writes = streams<4>;
 
     explicit shortest_arc_op(const scalar_of<V>*) noexcept {}
 

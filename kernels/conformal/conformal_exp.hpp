@@ -5,6 +5,7 @@
 #include "kernels/angles/sincos.hpp"
 #include "kernels/conformal/conformal_planes.hpp"
 #include "kernels/conformal/hyperbolic.hpp"
+#include "kernels/loops/streams.hpp"
 
 namespace swivel {
 namespace {
@@ -205,8 +206,8 @@ inline void replace(mask_of<V> m, const V* by, V* out) noexcept {
 // Streams in: 10. Out: 16.
 template <precision_index P, class V>
 struct conformal_exp_op {
-    static constexpr int inputs = 10, quaternions_in = 0;
-    static constexpr int outputs = 16, quaternions_out = 0;
+    using reads = streams<10>;
+    using writes = streams<16>;
 
     explicit conformal_exp_op(const scalar_of<V>*) noexcept {}
 
@@ -216,8 +217,8 @@ struct conformal_exp_op {
 // Streams in: 16. Out: 10, and 1 where the logarithm is unique, otherwise 0.
 template <precision_index P, class V>
 struct conformal_log_op {
-    static constexpr int inputs = 16, quaternions_in = 0;
-    static constexpr int outputs = 11, quaternions_out = 0;
+    using reads = streams<16>;
+    using writes = streams<10, 1>;
 
     explicit conformal_log_op(const scalar_of<V>*) noexcept {}
 
@@ -228,8 +229,8 @@ struct conformal_log_op {
 template <precision_index P, class V>
 struct conformal_power_op {
     using T = scalar_of<V>;
-    static constexpr int inputs = 17, quaternions_in = 0;
-    static constexpr int outputs = 17, quaternions_out = 0;
+    using reads = streams<16, 1>;
+    using writes = streams<16, 1>;
 
     explicit conformal_power_op(const T*) noexcept {}
 
@@ -244,8 +245,8 @@ struct conformal_power_op {
 template <precision_index P, class V>
 struct conformal_interpolate_op {
     using T = scalar_of<V>;
-    static constexpr int inputs = 33, quaternions_in = 0;
-    static constexpr int outputs = 17, quaternions_out = 0;
+    using reads = streams<16, 16, 1>;
+    using writes = streams<16, 1>;
 
     explicit conformal_interpolate_op(const T*) noexcept {}
 

@@ -7,6 +7,8 @@
 // they need without the planes, which are not unique where a and b are alike.
 
 #include "kernels/conformal/conformal.hpp"
+#include "kernels/loops/streams.hpp"
+#include "kernels/rotors/normalize.hpp"
 
 namespace swivel {
 namespace {
@@ -158,8 +160,8 @@ template <precision_index P, class V>
 struct conformal_square_root_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 16, quaternions_in = 0;
-    static constexpr int outputs = 17, quaternions_out = 0;
+    using reads = streams<16>;
+    using writes = streams<16, 1>;
 
     explicit conformal_square_root_op(const T*) noexcept {}
 
@@ -194,8 +196,8 @@ struct conformal_split_op {
     using T = scalar_of<V>;
     using C = constants<T>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 10, quaternions_in = 0;
-    static constexpr int outputs = 21, quaternions_out = 0;
+    using reads = streams<10>;
+    using writes = streams<10, 10, 1>;
 
     explicit conformal_split_op(const T*) noexcept {}
 

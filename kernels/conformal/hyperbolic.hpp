@@ -2,9 +2,9 @@
 #define SWIVEL_KERNELS_CONFORMAL_HYPERBOLIC_HPP
 
 #include "kernels/constants.hpp"
-#include "kernels/kernel_table.hpp"
+#include "kernels/kernel.hpp"
 #include "kernels/polynomial.hpp"
-#include "kernels/registers/ops.hpp"
+#include "kernels/registers/registers.hpp"
 #include "kernels/rotors/normalize.hpp"
 
 namespace swivel {

@@ -8,6 +8,7 @@
 #include "kernels/angles/atan2.hpp"
 #include "kernels/angles/sincos.hpp"
 #include "kernels/constants.hpp"
+#include "kernels/loops/streams.hpp"
 
 namespace swivel {
 namespace {
@@ -17,8 +18,8 @@ template <precision_index P, class V>
 struct from_euler_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 3, quaternions_in = 0;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<3>;
+    using writes = streams<4>;
 
     V mirror;
 
@@ -46,8 +47,8 @@ struct to_euler_op {
     using T = scalar_of<V>;
     using C = constants<T>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 4, quaternions_in = 1;
-    static constexpr int outputs = 3, quaternions_out = 0;
+    using reads = streams<4>;
+    using writes = streams<3>;
 
     V mirror;
 

@@ -2,6 +2,7 @@
 #define SWIVEL_KERNELS_INTERPOLATION_NLERP_HPP
 
 #include "kernels/interpolation/interpolation.hpp"
+#include "kernels/loops/streams.hpp"
 
 namespace swivel {
 namespace {
@@ -11,8 +12,8 @@ template <precision_index P, bool LongWay, class V>
 struct nlerp_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 9, quaternions_in = 2;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<4, 4, 1>;
+    using writes = streams<4>;
 
     explicit nlerp_op(const T*) noexcept {}
 

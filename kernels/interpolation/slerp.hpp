@@ -4,6 +4,7 @@
 #include "kernels/angles/atan2.hpp"
 #include "kernels/angles/sincos.hpp"
 #include "kernels/interpolation/interpolation.hpp"
+#include "kernels/loops/streams.hpp"
 
 namespace swivel {
 namespace {
@@ -18,8 +19,8 @@ struct slerp_op {
     using T = scalar_of<V>;
     using C = constants<T>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 9, quaternions_in = 2;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<4, 4, 1>;
+    using writes = streams<4>;
 
     explicit slerp_op(const T*) noexcept {}
 

@@ -7,6 +7,7 @@
 #include "kernels/angles/sincos.hpp"
 #include "kernels/exponentials/polar_form.hpp"
 #include "kernels/interpolation/interpolation.hpp"
+#include "kernels/loops/streams.hpp"
 #include "kernels/motors/motor.hpp"
 
 namespace swivel {
@@ -96,8 +97,8 @@ template <precision_index P, class V>
 struct motor_square_root_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 8, quaternions_in = 0;
-    static constexpr int outputs = 8, quaternions_out = 0;
+    using reads = streams<8>;
+    using writes = streams<8>;
 
     explicit motor_square_root_op(const T*) noexcept {}
 
@@ -126,8 +127,8 @@ template <precision_index P, class V>
 struct motor_log_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 8, quaternions_in = 0;
-    static constexpr int outputs = 6, quaternions_out = 0;
+    using reads = streams<8>;
+    using writes = streams<3, 3>;
 
     explicit motor_log_op(const T*) noexcept {}
 
@@ -148,8 +149,8 @@ template <precision_index P, class V>
 struct motor_exp_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 6, quaternions_in = 0;
-    static constexpr int outputs = 8, quaternions_out = 0;
+    using reads = streams<3, 3>;
+    using writes = streams<8>;
 
     explicit motor_exp_op(const T*) noexcept {}
 
@@ -183,8 +184,8 @@ struct motor_exp_op {
 template <precision_index P, class V>
 struct motor_power_op {
     using T = scalar_of<V>;
-    static constexpr int inputs = 9, quaternions_in = 0;
-    static constexpr int outputs = 8, quaternions_out = 0;
+    using reads = streams<8, 1>;
+    using writes = streams<8>;
 
     explicit motor_power_op(const T*) noexcept {}
 
@@ -206,8 +207,8 @@ struct motor_power_op {
 template <precision_index P, bool LongWay, class V>
 struct sclerp_op {
     using T = scalar_of<V>;
-    static constexpr int inputs = 17, quaternions_in = 0;
-    static constexpr int outputs = 8, quaternions_out = 0;
+    using reads = streams<8, 8, 1>;
+    using writes = streams<8>;
 
     explicit sclerp_op(const T*) noexcept {}
 

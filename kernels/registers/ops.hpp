@@ -364,7 +364,7 @@ inline __m256i first_lanes_64(std::size_t count) noexcept {
 
 // The first `count` lanes, of which there are some but not all, from memory; 1 in the others, a value that
 // takes the regular way through every kernel.
-template <class V>
+template <class V> requires(requires { typename V::arch_type; })
 inline V load_first(const scalar_of<V>* from, std::size_t count) noexcept {
     using T = scalar_of<V>;
 #if defined(__AVX512F__)
@@ -381,7 +381,7 @@ inline V load_first(const scalar_of<V>* from, std::size_t count) noexcept {
         return V(_mm256_blendv_pd(V(T(1)), _mm256_maskload_pd(from, first), _mm256_castsi256_pd(first)));
     }
 #elif defined(__SSE2__)
-    const V one(T(1));
+    const V one(*from);
     if constexpr (sizeof(T) == 8) {
         return V(_mm_loadl_pd(one, from));
     } else {
@@ -450,6 +450,7 @@ class quaternion_shuffle {
 
 public:
     // place[m] is the register of the component that is in place m of a quaternion in memory.
+    void set(const std::ptrdiff_t* slot) noexcept { int place[4]; for (int k = 0; k < 4; ++k) place[slot[k]] = k; set(place); }
     void set(const int* place) noexcept {
         alignas(64) index two[2][V::size], quaternions[2][V::size];
         for (int m = 0; m < 4; ++m)
@@ -614,6 +615,7 @@ class quaternion_shuffle {
 
 public:
     // place[m] is the register of the component that is in place m of a quaternion in memory.
+    void set(const std::ptrdiff_t* slot) noexcept { int place[4]; for (int k = 0; k < 4; ++k) place[slot[k]] = k; set(place); }
     void set(const int* place) noexcept {
         as_it_is_ = true;
         for (int m = 0; m < 4; ++m) {

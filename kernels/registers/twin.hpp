@@ -1,7 +1,7 @@
 #ifndef SWIVEL_KERNELS_REGISTERS_TWIN_HPP
 #define SWIVEL_KERNELS_REGISTERS_TWIN_HPP
 
-#include "kernels/registers/ops.hpp"
+#include "kernels/registers/registers.hpp"
 
 // Two registers as one, twice as wide. An operation whose every step waits for the one before, such as a sine
 // of an angle of a root, leaves the processor idle, since the next register's steps are too far behind to be

@@ -1,6 +1,7 @@
 #include "swivel/euler.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/conversions/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -8,44 +9,43 @@ namespace {
 
 // The places of x, y, z and w among i, j, k and w, and whether i j = -k.
 struct euler_axes {
-    component_order order;
+    std::uint8_t places[4];
     bool is_odd;
 };
 
-constexpr euler_axes axes_of_orders[] = {{{coordinate_index, {0, 1, 2, 3}}, false},  // xyz
-                                         {{coordinate_index, {0, 2, 1, 3}}, true},   // xzy
-                                         {{coordinate_index, {1, 0, 2, 3}}, true},   // yxz
-                                         {{coordinate_index, {2, 0, 1, 3}}, false},  // yzx
-                                         {{coordinate_index, {1, 2, 0, 3}}, false},  // zxy
-                                         {{coordinate_index, {2, 1, 0, 3}}, true}};  // zyx
+constexpr euler_axes axes_of_orders[] = {
+    {{0, 1, 2, 3}, false},  // xyz
+    {{0, 2, 1, 3}, true},   // xzy
+    {{1, 0, 2, 3}, true},   // yxz
+    {{2, 0, 1, 3}, false},  // yzx
+    {{1, 2, 0, 3}, false},  // zxy
+    {{2, 1, 0, 3}, true},   // zyx
+};
 
 const euler_axes& axes_of(euler_order order) noexcept { return axes_of_orders[static_cast<int>(order) % 6]; }
 
 template <class T>
-status set_numbers(batch<T>& b, euler_order order, const options& o) noexcept {
-    if (const status bad = check(o); bad != status::ok) return bad;
-    b.uniform[0] = axes_of(order).is_odd ? T(-1) : T(1);
-    return check(order);
-}
-
-template <class T>
 status from_any(const vec3_view<const T>& radians, euler_order order, const quat_view<T>& q,
                 const options& o) noexcept {
-    const component_order& places = axes_of(order).order;
-    return run(
-        active_operations<T>().from_euler[index_of(o.accuracy)],
-        [&](batch<T>& b) { return set_numbers(b, order, o); }, std::tuple(group_of(radians, places)),
-        std::tuple(group_of(q, places)));
+    const euler_axes& axes = axes_of(order);
+    call<T> c(radians.size, o);
+    c.read(radians, axes.places);
+    c.write(q, axes.places);
+    c.number(0, axes.is_odd ? T(-1) : T(1));
+    c.require(check(order));
+    return c.template run<from_euler_kernels>(index_of(o.accuracy));
 }
 
 template <class T>
 status to_any(const quat_view<const T>& q, euler_order order, const vec3_view<T>& radians,
               const options& o) noexcept {
-    const component_order& places = axes_of(order).order;
-    return run(
-        active_operations<T>().to_euler[index_of(o.accuracy)],
-        [&](batch<T>& b) { return set_numbers(b, order, o); }, std::tuple(group_of(q, places)),
-        std::tuple(group_of(radians, places)));
+    const euler_axes& axes = axes_of(order);
+    call<T> c(q.size, o);
+    c.read(q, axes.places);
+    c.write(radians, axes.places);
+    c.number(0, axes.is_odd ? T(-1) : T(1));
+    c.require(check(order));
+    return c.template run<to_euler_kernels>(index_of(o.accuracy));
 }
 
 }  // namespace

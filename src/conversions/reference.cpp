@@ -157,16 +157,13 @@ template <class T>
 status from_axis_angle_all(const twist_axis<T>& a, const scalar_view<const T>& radians, const quat_view<T>& q,
                            const options& o) {
     using form = typename twist_axis<T>::form;
-    const component_order& order = order_for(a, product::swing_twist);
-    batch<T> b;
-    const auto numbers = [&] { return set_numbers(b, order, a, o); };
     if (a.kind == form::per_element)
         return for_each<T>(
-            numbers, std::tuple(group_of(radians), group_of(a.per_element)), std::tuple(group_of(q)),
+            o, std::tuple(radians, a), std::tuple(q),
             [&](std::size_t i) { write(q, i, rotation_about(read(a.per_element, i), read(radians, i))); });
     unit_axis<T> unit{};
     if (a.kind == form::uniform) make_unit(a.uniform, unit);
-    return for_each<T>(numbers, std::tuple(group_of(radians)), std::tuple(group_of(q)), [&](std::size_t i) {
+    return for_each<T>(o, std::tuple(radians, a), std::tuple(q), [&](std::size_t i) {
         const T angle = read(radians, i);
         write(q, i,
               a.kind == form::uniform ? rotation_about(unit, angle) : rotation_about(a.coordinate, angle));
@@ -176,8 +173,8 @@ status from_axis_angle_all(const twist_axis<T>& a, const scalar_view<const T>& r
 template <class T>
 status to_axis_angle_all(const quat_view<const T>& q, const vec3_view<T>& a, const scalar_view<T>& radians,
                          const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(q)),
-                       std::tuple(group_of(a), group_of(radians)),
+    return for_each<T>(o, std::tuple(q),
+                       std::tuple(a, radians),
                        [&](std::size_t i) {
                            const axis_and_angle<T> found = axis_and_angle_of(read(q, i));
                            write(a, i, found.a);
@@ -187,7 +184,7 @@ status to_axis_angle_all(const quat_view<const T>& q, const vec3_view<T>& a, con
 
 template <class T>
 status from_spinor_all(const spinor_view<const T>& s, const quat_view<T>& q, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(s)), std::tuple(group_of(q)),
+    return for_each<T>(o, std::tuple(s), std::tuple(q),
                        [&](std::size_t i) {
                            const auto at = [&](const T* first) { return *element(first, i, s.stride); };
                            write(q, i, quat<T>{-at(s.c), -at(s.d), -at(s.b), at(s.a)});
@@ -196,7 +193,7 @@ status from_spinor_all(const spinor_view<const T>& s, const quat_view<T>& q, con
 
 template <class T>
 status to_spinor_all(const quat_view<const T>& q, const spinor_view<T>& s, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(q)), std::tuple(group_of(s)),
+    return for_each<T>(o, std::tuple(q), std::tuple(s),
                        [&](std::size_t i) {
                            const quat<T> in = read(q, i);
                            *element(s.a, i, s.stride) = in.w;
@@ -208,35 +205,30 @@ status to_spinor_all(const quat_view<const T>& q, const spinor_view<T>& s, const
 
 template <class T>
 status from_matrix_all(const matrix_view<const T>& m, const quat_view<T>& q, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(m)), std::tuple(group_of(q)),
+    return for_each<T>(o, std::tuple(m), std::tuple(q),
                        [&](std::size_t i) { write(q, i, rotation_of(read(m, i))); });
 }
 
 template <class T>
 status to_matrix_all(const quat_view<const T>& q, const matrix_view<T>& m, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(q)), std::tuple(group_of(m)),
+    return for_each<T>(o, std::tuple(q), std::tuple(m),
                        [&](std::size_t i) { write(m, i, matrix_of(read(q, i))); });
-}
-
-status check(const options& o, euler_order order) {
-    const status bad = check(o);
-    return bad != status::ok ? bad : check(order);
 }
 
 template <class T>
 status from_euler_all(const vec3_view<const T>& radians, euler_order order, const quat_view<T>& q,
                       const options& o) {
-    return for_each<T>([&] { return check(o, order); }, std::tuple(group_of(radians)),
-                       std::tuple(group_of(q)),
-                       [&](std::size_t i) { write(q, i, rotation_by(read(radians, i), order)); });
+    return for_each<T>(o, std::tuple(radians),
+                       std::tuple(q),
+                       [&](std::size_t i) { write(q, i, rotation_by(read(radians, i), order)); }, check(order));
 }
 
 template <class T>
 status to_euler_all(const quat_view<const T>& q, euler_order order, const vec3_view<T>& radians,
                     const options& o) {
-    return for_each<T>([&] { return check(o, order); }, std::tuple(group_of(q)),
-                       std::tuple(group_of(radians)),
-                       [&](std::size_t i) { write(radians, i, angles_of(read(q, i), order)); });
+    return for_each<T>(o, std::tuple(q),
+                       std::tuple(radians),
+                       [&](std::size_t i) { write(radians, i, angles_of(read(q, i), order)); }, check(order));
 }
 
 }  // namespace

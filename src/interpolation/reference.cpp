@@ -147,8 +147,8 @@ template <class T, class Between>
 status between_all(const quat_view<const T>& a, const quat_view<const T>& b, const parameter<T>& t,
                    const quat_view<T>& out, const options& o, Between between) {
     return for_each<T>(
-        [&] { return check(o); }, std::tuple(group_of(a), group_of(b), group_of(t, a.size)),
-        std::tuple(group_of(out)),
+        o, std::tuple(a, b, t),
+        std::tuple(out),
         [&](std::size_t i) { write(out, i, between(read(a, i), read(b, i), read(t, i), o.long_way)); });
 }
 
@@ -157,23 +157,17 @@ status sterp_all(const quat_view<const T>& a, const quat_view<const T>& b, const
                  const parameter<T>& swing, const parameter<T>& twist, const quat_view<T>& out,
                  const options& o) {
     const twist_axis<T> vector = as_vector(axis);
-    const auto numbers = [&] {
-        if (const status bad = check(axis.coordinate); bad != status::ok) return bad;
-        batch<T> unused;
-        return set_numbers(unused, uniform_orders[0], vector, o);
-    };
-    const auto s = group_of(swing, a.size), t = group_of(twist, a.size);
     const auto each = [&](std::size_t i, const unit_axis<T>& l) {
         write(out, i, sterp_of(read(a, i), read(b, i), l, read(swing, i), read(twist, i), o));
     };
     if (vector.kind == twist_axis<T>::form::per_element)
-        return for_each<T>(numbers, std::tuple(group_of(a), group_of(b), group_of(vector.per_element), s, t),
-                           std::tuple(group_of(out)),
+        return for_each<T>(o, std::tuple(a, b, vector, swing, twist),
+                           std::tuple(out),
                            [&](std::size_t i) { each(i, normalized(read(vector.per_element, i))); });
     unit_axis<T> unit{};
     (void)make_unit(vector.uniform, unit);
-    return for_each<T>(numbers, std::tuple(group_of(a), group_of(b), s, t), std::tuple(group_of(out)),
-                       [&](std::size_t i) { each(i, unit); });
+    return for_each<T>(o, std::tuple(a, b, vector, swing, twist), std::tuple(out),
+                       [&](std::size_t i) { each(i, unit); }, check(axis.coordinate));
 }
 
 }  // namespace
