@@ -1,7 +1,7 @@
 #ifndef SWIVEL_KERNELS_POLYNOMIAL_HPP
 #define SWIVEL_KERNELS_POLYNOMIAL_HPP
 
-#include "kernels/registers/registers.hpp"
+#include "kernels/registers/ops.hpp"
 
 namespace swivel {
 namespace {

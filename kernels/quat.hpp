@@ -5,7 +5,7 @@
 
 #include "kernels/constants.hpp"
 #include "kernels/kernel.hpp"
-#include "kernels/registers/registers.hpp"
+#include "kernels/registers/ops.hpp"
 
 namespace swivel {
 namespace {

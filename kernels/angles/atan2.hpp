@@ -5,7 +5,7 @@
 #include "kernels/kernel.hpp"
 #include "kernels/loops/streams.hpp"
 #include "kernels/polynomial.hpp"
-#include "kernels/registers/registers.hpp"
+#include "kernels/registers/ops.hpp"
 
 namespace swivel {
 namespace {

@@ -4,7 +4,7 @@
 #include "kernels/constants.hpp"
 #include "kernels/kernel.hpp"
 #include "kernels/polynomial.hpp"
-#include "kernels/registers/registers.hpp"
+#include "kernels/registers/ops.hpp"
 #include "kernels/rotors/normalize.hpp"
 
 namespace swivel {

@@ -10,7 +10,7 @@
 
 #include "kernels/kernel.hpp"
 #include "kernels/loops/streams.hpp"
-#include "kernels/registers/registers.hpp"
+#include "kernels/registers/ops.hpp"
 #include "kernels/registers/twin.hpp"
 
 namespace swivel {

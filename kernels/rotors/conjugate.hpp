@@ -3,7 +3,7 @@
 
 #include "kernels/kernel.hpp"
 #include "kernels/loops/streams.hpp"
-#include "kernels/registers/registers.hpp"
+#include "kernels/registers/ops.hpp"
 
 namespace swivel {
 namespace {
