@@ -20,6 +20,9 @@
 //
 //   Never throws, never allocates, takes no lock, and may be called from any thread at any time. The floating
 //   point environment (rounding mode, flush to zero) is used as found; the stated figures are for the default.
+//   Of the exception flags inexact alone is raised on ordinary data and on still data (no motion, b = a, vectors of
+//   zeros where they are allowed), which is as quick as any other; beside poles and other singular places, and where
+//   squares and products of what is given overflow or underflow, any flag may be raised (exceptions_test.cpp).
 //   All checks are made before the first write and cost the same for every size. On any status but `ok` nothing
 //   has been written. A size of 0 is `ok`, whatever the pointers. Values are not inspected.
 //   An output stream may be exactly an input stream (same pointer, stride and size: in place). Any other overlap

@@ -34,7 +34,7 @@ inline void sincos_within(V x, V& sine, V& cosine) noexcept {
         const V third = k * V(C::half_pi_parts[2]), reduced = rest - third;
         r = reduced + (((rest - reduced) - third) - k * V(C::half_pi_parts[3]));
     }
-    const V s = r * r;
+    const V s = series_square(r);
     const V sin_r = M::multiply_add(r * s, polynomial<M>(s, C::sin), r);
     const V cos_r =
         M::multiply_add(s * s, polynomial<M>(s, C::cos), M::negate_multiply_add(V(T(0.5)), s, one));

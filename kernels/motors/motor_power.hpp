@@ -51,6 +51,7 @@ inline screw<V> screw_of(const motor<V>& a) noexcept {
     using M = arithmetic<P>;
     screw<V> s;
     const vector3<V> v = vector_part(a.r), e = vector_part(a.d);
+    V m_or_zero;
     if constexpr (MinusOne) {
         const mask_of<V> pole = is_minus_one(a.r);
         const V r[4] = {select(pole, e.x, v.x), select(pole, e.y, v.y), select(pole, e.z, v.z), a.r.w};
@@ -58,17 +59,20 @@ inline screw<V> screw_of(const motor<V>& a) noexcept {
         V u[3];
         q.along(V(T(1)), u);
         s.u = {u[0], u[1], u[2]};
-        s.m = select(pole, V(T(0)), q.m);
+        s.m = m_or_zero = select(pole, V(T(0)), q.m);
         s.w = q.w;
     } else {
         // Shorter than 1 near r = 1, where it is multiplied by what is smaller still.
-        const root_divisor<P, V> length(larger(V(constants<T>::pole_floor), dot_of<P>(v, v)));
+        const V floor(constants<T>::pole_floor), squared = dot_of<P>(v, v);
+        const root_divisor<P, V> length(larger(floor, squared));
         s.u = {length.divide(v.x), length.divide(v.y), length.divide(v.z)};
         s.m = length.root();
+        // What the floor is alone goes into no product, which would be subnormal.
+        m_or_zero = select(squared < floor, V(T(0)), s.m);
         s.w = a.r.w;
     }
     s.angle = atan2_above<P>(s.m, s.w);
-    s.p = M::negate_multiply_add(s.m, a.d.w, s.w * dot_of<P>(s.u, e));
+    s.p = M::negate_multiply_add(m_or_zero, a.d.w, s.w * dot_of<P>(s.u, e));
     const V back = s.p * s.w;
     s.across = {M::negate_multiply_add(back, s.u.x, e.x), M::negate_multiply_add(back, s.u.y, e.y),
                 M::negate_multiply_add(back, s.u.z, e.z)};
