@@ -28,9 +28,11 @@ struct along_the_chord {
         using M = arithmetic<P>;
         const V zero(T(0)), one(T(1));
         V x = M::multiply_add(t, cosine, (one - t) * length), y = t * sine;
-        V squared = M::multiply_add(y, y, x * x);
+        // No square of it that would be subnormal: it counts for nothing.
+        const V size = larger(V(constants<T>::root_of_smallest_normal), magnitude(y));
+        V squared = M::multiply_add(size, size, x * x);
         // The middle of a full turn is a half turn, the way that a sine of 0 belongs to.
-        const mask_of<V> nothing = squared <= V(constants<T>::pole_threshold) * length;
+        const mask_of<V> nothing = squared <= V(constants<T>::pole_threshold) * (length * length);
         x = select(nothing, zero, x);
         y = select(nothing, one_signed_like(sine), y);
         squared = select(nothing, one, squared);
