@@ -43,8 +43,9 @@ enum class product : std::uint8_t {
 
 // The order of three rotations about coordinate axes. xyz is the quaternion qx qy qz: about x, then about the
 // y that this has turned, then about the z that both have turned; or about the axes as they stand, z first.
-// It is what the channels "Xrotation Yrotation Zrotation" of a BVH file mean.
-enum class euler_order : std::uint8_t { xyz, xzy, yxz, yzx, zxy, zyx };
+// It is what the channels "Xrotation Yrotation Zrotation" of a BVH file mean. xyx is qx qy qx with angles of their own:
+// the third rotation is about the axis of the first again, as it then lies (the proper Euler angles).
+enum class euler_order : std::uint8_t { xyz, xzy, yxz, yzx, zxy, zyx, xyx, xzx, yxy, yzy, zxz, zyz };
 
 enum class precision : std::uint8_t {
     // The quickest arithmetic of the ISA: fused multiply-add, estimate of the reciprocal root, Newton steps.

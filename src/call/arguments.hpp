@@ -110,7 +110,7 @@ inline status check(const options& o) noexcept {
 
 inline status check(axis a) noexcept { return a <= axis::z ? status::ok : status::bad_argument; }
 inline status check(euler_order order) noexcept {
-    return order <= euler_order::zyx ? status::ok : status::bad_argument;
+    return order <= euler_order::zyz ? status::ok : status::bad_argument;
 }
 
 inline precision_index index_of(precision p) noexcept {

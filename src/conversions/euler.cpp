@@ -12,40 +12,46 @@ struct euler_axes {
     bool is_odd;
 };
 
-constexpr euler_axes axes_of_orders[] = {{{coordinate_index, {0, 1, 2, 3}}, false},  // xyz
-                                         {{coordinate_index, {0, 2, 1, 3}}, true},   // xzy
-                                         {{coordinate_index, {1, 0, 2, 3}}, true},   // yxz
-                                         {{coordinate_index, {2, 0, 1, 3}}, false},  // yzx
-                                         {{coordinate_index, {1, 2, 0, 3}}, false},  // zxy
-                                         {{coordinate_index, {2, 1, 0, 3}}, true}};  // zyx
+constexpr euler_axes axes_of_orders[] = {{{coordinate_index, {0, 1, 2, 3}}, false},  // xyz, xyx
+                                         {{coordinate_index, {0, 2, 1, 3}}, true},   // xzy, xzx
+                                         {{coordinate_index, {1, 0, 2, 3}}, true},   // yxz, yxy
+                                         {{coordinate_index, {2, 0, 1, 3}}, false},  // yzx, yzy
+                                         {{coordinate_index, {1, 2, 0, 3}}, false},  // zxy, zxz
+                                         {{coordinate_index, {2, 1, 0, 3}}, true}};  // zyx, zyz
 
 const euler_axes& axes_of(euler_order order) noexcept { return axes_of_orders[static_cast<int>(order) % 6]; }
+
+bool is_proper(euler_order order) noexcept { return order >= euler_order::xyx; }
+
+// Of the angles: by axis, in the proper orders one after the other.
+const component_order& order_of_angles(euler_order order) noexcept {
+    return is_proper(order) ? axes_of_orders[0].order : axes_of(order).order;
+}
 
 template <class T>
 status set_numbers(batch<T>& b, euler_order order, const options& o) noexcept {
     if (const status bad = check(o); bad != status::ok) return bad;
     b.uniform[0] = axes_of(order).is_odd ? T(-1) : T(1);
+    b.uniform[1] = is_proper(order) ? T(-1) : T(1);
     return check(order);
 }
 
 template <class T>
 status from_any(const vec3_view<const T>& radians, euler_order order, const quat_view<T>& q,
                 const options& o) noexcept {
-    const component_order& places = axes_of(order).order;
     return run(
         active_operations<T>().from_euler[index_of(o.accuracy)],
-        [&](batch<T>& b) { return set_numbers(b, order, o); }, std::tuple(group_of(radians, places)),
-        std::tuple(group_of(q, places)));
+        [&](batch<T>& b) { return set_numbers(b, order, o); },
+        std::tuple(group_of(radians, order_of_angles(order))), std::tuple(group_of(q, axes_of(order).order)));
 }
 
 template <class T>
 status to_any(const quat_view<const T>& q, euler_order order, const vec3_view<T>& radians,
               const options& o) noexcept {
-    const component_order& places = axes_of(order).order;
     return run(
         active_operations<T>().to_euler[index_of(o.accuracy)],
-        [&](batch<T>& b) { return set_numbers(b, order, o); }, std::tuple(group_of(q, places)),
-        std::tuple(group_of(radians, places)));
+        [&](batch<T>& b) { return set_numbers(b, order, o); }, std::tuple(group_of(q, axes_of(order).order)),
+        std::tuple(group_of(radians, order_of_angles(order))));
 }
 
 }  // namespace
