@@ -29,10 +29,10 @@ inline V polynomial(V x, const scalar_of<V> (&c)[N]) noexcept {
     }
 }
 
-// x^2 for a series in it.
+// x^2 for a series in x >= 0.
 template <class V>
 inline V series_square(V x) noexcept {
-    const V no_less = larger(V(constants<scalar_of<V>>::negligible), magnitude(x));
+    const V no_less = larger(V(constants<scalar_of<V>>::negligible), x);
     return no_less * no_less;
 }
 

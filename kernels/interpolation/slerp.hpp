@@ -77,13 +77,14 @@ struct slerp_op {
         nn = larger(V(C::pole_floor), nn);
         if constexpr (P == reproducible_index) {
             const V p = square_root_of(pp), n = square_root_of(nn);
-            sincos_of<P>(turn * half_angle<PIsShorter>(PIsShorter ? quotient(p, n) : quotient(n, p)), across,
-                         along);
+            sincos_of<P, true>(turn * half_angle<PIsShorter>(PIsShorter ? quotient(p, n) : quotient(n, p)),
+                               across, along);
             along = quotient(along, p);
             across = quotient(across, n);
         } else {
             const V p = M::reciprocal_root(pp), n = M::reciprocal_root(nn);
-            sincos_of<P>(turn * half_angle<PIsShorter>(PIsShorter ? pp * p * n : nn * n * p), across, along);
+            sincos_of<P, true>(turn * half_angle<PIsShorter>(PIsShorter ? pp * p * n : nn * n * p), across,
+                               along);
             along = along * p;
             across = across * n;
         }

@@ -15,7 +15,7 @@ struct constant_speed {
     // The t-th part of the turn whose half has that cosine and sine, times `length`.
     template <class V>
     static void part(V cosine, V sine, V length, V t, V& part_cosine, V& part_sine) noexcept {
-        sincos_of<P>(t * angle_of<P>(sine, cosine, length), part_sine, part_cosine);
+        sincos_of<P, true>(t * angle_of<P>(sine, cosine, length), part_sine, part_cosine);
     }
 };
 

@@ -87,7 +87,7 @@ inline motor<V> power_of(const screw<V>& s, V t) noexcept {
     const V zero(T(0)), product = t * s.angle;
     const mask_of<V> beyond = magnitude(product) > V(constants<T>::largest_angle);
     V sine, cosine;
-    sincos_within<P>(select(beyond, zero * t, product), sine, cosine);
+    sincos_within<P, true>(select(beyond, zero * t, product), sine, cosine);
     const V ratio = s.over_m(sine, t), along = t * s.p, on_u = along * cosine;
     return {
         {sine * s.u.x, sine * s.u.y, sine * s.u.z, cosine},
@@ -170,7 +170,7 @@ struct motor_exp_op {
         // Below the floor the sine is the angle, whatever that is.
         const root_divisor<P, V> angle(larger(V(constants<T>::pole_floor), squared));
         V sine, cosine;
-        sincos_within<P>(angle.root(), sine, cosine);
+        sincos_within<P, true>(angle.root(), sine, cosine);
         const V shape = angle.divide(sine);
         const vector3<V> u{angle.divide(b.x), angle.divide(b.y), angle.divide(b.z)};
         const V along = dot_of<P>(u, n), on_u = along * (cosine - shape);
