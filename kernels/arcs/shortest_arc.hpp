@@ -28,10 +28,12 @@ inline rotor<V> arc_between(const vector3<V>& a, const vector3<V>& b) noexcept {
     const V zero(T(0)), minus(T(-0.0));
     const V aa = dot_of<P>(a, a), squares = aa * dot_of<P>(b, b), cosine = dot_of<P>(a, b);
     const vector3<V> c = cross_of<P>(a, b);
-    const mask_of<V> obtuse = cosine < zero;
-    const V h = select(squares == zero, V(T(1)), root_divisor<P, V>(squares).root() + magnitude(cosine));
+    const mask_of<V> obtuse = cosine < zero, nothing = squares == zero;
+    const V one(T(1));
+    const V h =
+        select(nothing, one, root_divisor<P, V>(select(nothing, one, squares)).root() + magnitude(cosine));
 
-    const V scale = quotient(V(T(1)), aa);
+    const V scale = quotient(one, larger(one, aa));
     // Twice: what rounding leaves of the part the first time counts double in the half turn.
     const vector3<V> e = without_part<P>(without_part<P>(c, a, scale), a, scale);
     const mask_of<V> known =

@@ -39,9 +39,9 @@ template <precision_index P, class V>
     const V x2 =
         select(outside, zero, square_root_of(select(alike, larger(sum - twice, zero), magnitude(small))));
     V sine1, cosine1, sine2, cosine2, sinh2, cosh2;
-    sincos_within<P>(x1, sine1, cosine1);
-    sincos_within<P>(x2, sine2, cosine2);
-    sinhcosh_of<P>(x2, sinh2, cosh2);
+    sincos_within<P, true>(x1, sine1, cosine1);
+    sincos_within<P, true>(x2, sine2, cosine2);
+    sinhcosh_of<P>(select(hyperbolic, x2, zero), sinh2, cosh2);
     sine2 = select(hyperbolic, sinh2, sine2);
     cosine2 = select(hyperbolic, cosh2, cosine2);
     const V z1 = ratio(sine1, x1, one), z2 = ratio(sine2, x2, one);
@@ -156,9 +156,9 @@ template <precision_index P, class V>
     const mask_of<V> outside =
         (magnitude(x1) > largest) | (length > largest) | (s.hyperbolic & (length > V(C::largest_boost)));
     V sine_1, cosine_1, sine_2, cosine_2, sinh, cosh;
-    sincos_within<P>(select(outside, zero, x1), sine_1, cosine_1);
-    sincos_within<P>(select(outside, zero, x2), sine_2, cosine_2);
-    sinhcosh_of<P>(select(outside, zero, length), sinh, cosh);
+    sincos_within<P, true>(select(outside, zero, x1), sine_1, cosine_1);
+    sincos_within<P, true>(select(outside, zero, x2), sine_2, cosine_2);
+    sinhcosh_of<P>(select(outside | ~s.hyperbolic, zero, length), sinh, cosh);
     sine_2 = select(s.hyperbolic, sinh ^ sign_of(x2), sine_2);
     cosine_2 = select(s.hyperbolic, cosh, cosine_2);
 

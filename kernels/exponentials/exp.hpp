@@ -29,7 +29,7 @@ struct exp_op {
         const root_divisor<P, V> angle(
             larger(V(constants<T>::pole_floor), select(beyond, zero_or_nan, squared)));
         V sine;
-        sincos_within<P>(angle.root(), sine, out[3]);
+        sincos_within<P, true>(angle.root(), sine, out[3]);
         const V factor = select(beyond, zero_or_nan, angle.divide(sine));
         out[0] = b.x * factor;
         out[1] = b.y * factor;

@@ -29,7 +29,8 @@ struct nlerp_op {
         const V mm = dot_of<P>(m, m);
         // A chord through the middle has no direction there.
         const mask_of<V> nothing = mm <= V(constants<T>::pole_threshold) * dot_of<P>(a, a);
-        const rotor<V> between = normalized<P>(either(nothing, turned_about_x(a), m));
+        const rotor<V> between =
+            normalized<P>(either(nothing, turned_about_x(a), m), V(constants<T>::smallest_normal));
         put(with_ends<P>(between, t == zero, a, t == one, flipped(given, way)), out);
     }
 };

@@ -16,7 +16,7 @@ struct constant_speed {
     // The t-th part of the turn whose half has that cosine and sine, times `length`.
     template <class V>
     static void part(V cosine, V sine, V length, V t, V& part_cosine, V& part_sine) noexcept {
-        sincos_of<P>(t * angle_of<P>(sine, cosine, length), part_sine, part_cosine);
+        sincos_of<P, true>(t * angle_of<P>(sine, cosine, length), part_sine, part_cosine);
     }
 };
 
@@ -29,9 +29,11 @@ struct along_the_chord {
         using M = arithmetic<P>;
         const V zero(T(0)), one(T(1));
         V x = M::multiply_add(t, cosine, (one - t) * length), y = t * sine;
-        V squared = M::multiply_add(y, y, x * x);
+        // No square of it that would be subnormal: it counts for nothing.
+        const V size = larger(V(constants<T>::root_of_smallest_normal), magnitude(y));
+        V squared = M::multiply_add(size, size, x * x);
         // The middle of a full turn is a half turn, the way that a sine of 0 belongs to.
-        const mask_of<V> nothing = squared <= V(constants<T>::pole_threshold) * length;
+        const mask_of<V> nothing = squared <= V(constants<T>::pole_threshold) * (length * length);
         x = select(nothing, zero, x);
         y = select(nothing, one_signed_like(sine), y);
         squared = select(nothing, one, squared);

@@ -369,6 +369,7 @@ inline __m256i first_lanes_64(std::size_t count) noexcept {
 // The first `count` lanes, of which there are some but not all, from memory; the first of them in the
 // others, a value like the rest: a number of no meaning might take a slow way through a kernel.
 template <class V>
+    requires requires { typename V::arch_type; }
 inline V load_first(const scalar_of<V>* from, std::size_t count) noexcept {
     using T = scalar_of<V>;
 #if defined(__AVX512F__)

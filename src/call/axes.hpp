@@ -58,7 +58,7 @@ twist_axis<T> as_vector(const twist_axis<T>& a) noexcept {
 }
 
 inline status check(euler_order order) noexcept {
-    return order <= euler_order::zyx ? status::ok : status::bad_argument;
+    return order <= euler_order::zyz ? status::ok : status::bad_argument;
 }
 inline status check(axis a) noexcept { return a <= axis::z ? status::ok : status::bad_argument; }
 

@@ -72,8 +72,12 @@ struct roots {
 
 template <class T>
 roots<T> roots_of(T sum, T product) {
-    const T root = std::sqrt(larger(sum * sum - T(4) * product, T(0)));
-    const T big = T(0.5) * (std::fabs(sum) + root), other = product / larger(big, constants<T>::pole_floor);
+    const T size = std::fabs(sum);
+    // Its square would be subnormal.
+    const bool tiny = size < constants<T>::root_of_smallest_normal;
+    const T part = tiny ? T(0) : sum, square_root = std::sqrt(larger(part * part - T(4) * product, T(0)));
+    const T root = tiny ? larger(size, square_root) : square_root;
+    const T big = T(0.5) * (size + root), other = product / larger(big, constants<T>::pole_floor);
     if (!(sum >= 0)) return {larger(-other, T(0)), -big};
     return {big, other > big ? big : other};
 }
@@ -115,9 +119,11 @@ halves<T> halves_of(T scalar, const parts<T>& p, const sizes<T>& s) {
     const bool positive = scalar >= 0;
     const T above = positive ? 1 + scalar : (p.four_squared - p.bivector_squared) / less;
     const T share = positive ? T(0) : s.bivector / less;
-    const T n_squared = above * above - p.four_squared, n = std::sqrt(larger(n_squared, T(0)));
+    // Nothing where its square counts for nothing, and would with the noise be subnormal.
+    const T large = std::fabs(above) < constants<T>::root_of_pole_floor ? T(0) : above;
+    const T n_squared = large * large - p.four_squared, n = std::sqrt(larger(n_squared, T(0)));
     const T k_squared = above >= 0 ? above + n : -p.four_squared / (n - above);
-    const T size = std::fabs(above);
+    const T size = std::fabs(large);
     const bool regular = n_squared > noise * ((size + share) * size + s.four) + constants<T>::pole_floor &&
                          k_squared > noise * (positive ? T(0) : s.bivector);
     return {k_squared, n_squared, regular};

@@ -36,8 +36,8 @@ quat<T> with_length_of(const quat<T>& a, const quat<T>& b) {
 
 // NaN where something is not finite.
 template <class T>
-quat<T> unit_of(const quat<T>& q) {
-    const T length = std::sqrt(floored(finite_or_nan(dot(q, q))));
+quat<T> unit_of(const quat<T>& q, T least = constants<T>::pole_floor) {
+    const T squared = finite_or_nan(dot(q, q)), length = std::sqrt(least > squared ? least : squared);
     return {q.x / length, q.y / length, q.z / length, q.w / length};
 }
 
@@ -56,7 +56,8 @@ struct slerp_weights {
 
 template <class T>
 slerp_weights<T> weights_of(T pp, T nn, T t, bool p_is_shorter) {
-    const T p = std::sqrt(floored(pp)), n = std::sqrt(floored(nn));
+    const T least = p_is_shorter ? constants<T>::smallest_normal : constants<T>::pole_floor;
+    const T p = std::sqrt(least > pp ? least : pp), n = std::sqrt(floored(nn));
     const T half =
         p_is_shorter ? constants<T>::half_pi + (constants<T>::half_pi_rest - atan_of(p / n)) : atan_of(n / p);
     const sine_cosine<T> f = sincos_of((t * 2 + -1) * half);
@@ -80,7 +81,8 @@ quat<T> long_slerp(const quat<T>& a, const quat<T>& b, T t) {
     p = {p.x - part * n.x, p.y - part * n.y, p.z - part * n.z, p.w - part * n.w};
     if (dot(p, p) <= constants<T>::pole_threshold * nn) {
         const quat<T> turned = turned_about_x(n);
-        p = {turned.x * T(-0x1p-40), turned.y * T(-0x1p-40), turned.z * T(-0x1p-40), turned.w * T(-0x1p-40)};
+        const T by = constants<T>::rounding * T(-0x1p-8);
+        p = {turned.x * by, turned.y * by, turned.z * by, turned.w * by};
     }
     const auto [along, across] = weights_of(dot(p, p), nn, t, true);
     return sum(along, p, across, n);
@@ -99,7 +101,8 @@ quat<T> nlerp_of(const quat<T>& a, const quat<T>& given, T t, bool long_way) {
     const quat<T> m = sum(1 - t, a, t, with_length_of(a, end));
     const T mm = dot(m, m);
     const bool nothing = mm <= constants<T>::pole_threshold * dot(a, a);
-    return with_ends(unit_of(nothing ? turned_about_x(a) : m), t == 0, a, t == 1, end);
+    return with_ends(unit_of(nothing ? turned_about_x(a) : m, constants<T>::smallest_normal), t == 0, a,
+                     t == 1, end);
 }
 
 // The t-th part of a turn whose half has that cosine and sine, times `length`.
@@ -107,8 +110,9 @@ template <class T>
 sine_cosine<T> part_of_turn(T cosine, T sine, T length, T t, flavour motion) {
     if (motion == flavour::slerp) return sincos_of(t * angle_of(sine, cosine, length));
     T x = t * cosine + (1 - t) * length, y = t * sine;
-    T squared = y * y + x * x;
-    if (squared <= constants<T>::pole_threshold * length) {
+    const T least = constants<T>::root_of_smallest_normal, size = least > std::fabs(y) ? least : std::fabs(y);
+    T squared = size * size + x * x;
+    if (squared <= constants<T>::pole_threshold * (length * length)) {
         x = 0;
         y = std::copysign(T(1), sine);
         squared = 1;

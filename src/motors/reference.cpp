@@ -129,6 +129,7 @@ struct screw {
 template <class T>
 screw<T> screw_of(const motor<T>& a, bool near_minus_one) {
     screw<T> s;
+    bool nothing = false;
     const vec3<T> v = vector_part(a.r), e = vector_part(a.d);
     if (near_minus_one) {
         const bool minus_one = is_minus_one(a.r);
@@ -137,12 +138,14 @@ screw<T> screw_of(const motor<T>& a, bool near_minus_one) {
         s.m = minus_one ? T(0) : q.m;
         s.w = q.w;
     } else {
-        s.m = std::sqrt(floored(dot(v, v)));
+        const T squared = dot(v, v);
+        nothing = squared < constants<T>::pole_floor;
+        s.m = std::sqrt(floored(squared));
         s.u = {v.x / s.m, v.y / s.m, v.z / s.m};
         s.w = a.r.w;
     }
     s.angle = atan2_of(s.m, s.w);
-    s.p = s.w * dot(s.u, e) - s.m * a.d.w;
+    s.p = s.w * dot(s.u, e) - (nothing ? T(0) : s.m) * a.d.w;
     const T back = s.p * s.w;
     s.across = {e.x - back * s.u.x, e.y - back * s.u.y, e.z - back * s.u.z};
     return s;
