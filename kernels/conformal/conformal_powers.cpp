@@ -40,11 +40,13 @@ struct conformal_split_variants : heavy {
 }  // namespace
 
 template <>
-constinit const conformal_square_root_kernels<float> kernels_on<conformal_square_root_kernels<float>, here>::table =
-    table_of<conformal_square_root_kernels<float>, float, conformal_square_root_variants>();
+constinit const conformal_square_root_kernels<float>
+    kernels_on<conformal_square_root_kernels<float>, here>::table =
+        table_of<conformal_square_root_kernels<float>, float, conformal_square_root_variants>();
 template <>
-constinit const conformal_square_root_kernels<double> kernels_on<conformal_square_root_kernels<double>, here>::table =
-    table_of<conformal_square_root_kernels<double>, double, conformal_square_root_variants>();
+constinit const conformal_square_root_kernels<double>
+    kernels_on<conformal_square_root_kernels<double>, here>::table =
+        table_of<conformal_square_root_kernels<double>, double, conformal_square_root_variants>();
 
 template <>
 constinit const conformal_exp_kernels<float> kernels_on<conformal_exp_kernels<float>, here>::table =
@@ -68,11 +70,13 @@ constinit const conformal_power_kernels<double> kernels_on<conformal_power_kerne
     table_of<conformal_power_kernels<double>, double, conformal_power_variants>();
 
 template <>
-constinit const conformal_interpolate_kernels<float> kernels_on<conformal_interpolate_kernels<float>, here>::table =
-    table_of<conformal_interpolate_kernels<float>, float, conformal_interpolate_variants>();
+constinit const conformal_interpolate_kernels<float>
+    kernels_on<conformal_interpolate_kernels<float>, here>::table =
+        table_of<conformal_interpolate_kernels<float>, float, conformal_interpolate_variants>();
 template <>
-constinit const conformal_interpolate_kernels<double> kernels_on<conformal_interpolate_kernels<double>, here>::table =
-    table_of<conformal_interpolate_kernels<double>, double, conformal_interpolate_variants>();
+constinit const conformal_interpolate_kernels<double>
+    kernels_on<conformal_interpolate_kernels<double>, here>::table =
+        table_of<conformal_interpolate_kernels<double>, double, conformal_interpolate_variants>();
 
 template <>
 constinit const conformal_split_kernels<float> kernels_on<conformal_split_kernels<float>, here>::table =

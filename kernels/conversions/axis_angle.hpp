@@ -38,8 +38,7 @@ struct from_axis_angle_op<uniform_index, P, V> {
 
     V ax, ay, az;
 
-    explicit from_axis_angle_op(const T* uniform) noexcept
-        : ax(uniform[1]), ay(uniform[2]), az(uniform[3]) {}
+    explicit from_axis_angle_op(const T* uniform) noexcept : ax(uniform[1]), ay(uniform[2]), az(uniform[3]) {}
 
     void operator()(const V* in, V* out) const noexcept {
         V sine;

@@ -1,4 +1,5 @@
 #include "kernels/interpolation/nlerp.hpp"
+
 #include "kernels/interpolation/tables.hpp"
 #include "kernels/loops/tables.hpp"
 

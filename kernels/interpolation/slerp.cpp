@@ -1,4 +1,5 @@
 #include "kernels/interpolation/slerp.hpp"
+
 #include "kernels/interpolation/tables.hpp"
 #include "kernels/loops/tables.hpp"
 

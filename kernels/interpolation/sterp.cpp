@@ -1,4 +1,5 @@
 #include "kernels/interpolation/sterp.hpp"
+
 #include "kernels/interpolation/tables.hpp"
 #include "kernels/loops/tables.hpp"
 
@@ -8,7 +9,8 @@ namespace {
 
 struct sterp_variants : deep {
     template <class V, int OwnAxis, int Chord, int P>
-    using op = sterp_op<precision_index(P), axis_form<OwnAxis != 0 ? per_element_index : uniform_index, P, V>, motion<Chord, precision_index(P)>, V>;
+    using op = sterp_op<precision_index(P), axis_form<OwnAxis != 0 ? per_element_index : uniform_index, P, V>,
+                        motion<Chord, precision_index(P)>, V>;
 };
 
 }  // namespace

@@ -12,7 +12,8 @@ template <class T>
 struct nlerp_kernels : kernel_set<T, 2, precisions> {};  // the short, the long way
 
 template <class T>
-struct sterp_kernels : kernel_set<T, 2, 2, precisions> {};  // one axis for all, one for each element; at constant speed, along the chord
+struct sterp_kernels : kernel_set<T, 2, 2, precisions> {
+};  // one axis for all, one for each element; at constant speed, along the chord
 
 }  // namespace swivel
 

@@ -85,9 +85,8 @@ inline void put_back(const staged_group<V, T>& g, std::size_t at, std::size_t co
 // Out of line, once for all operations of a source: `blocks` has room for every stream.
 template <class V>
 [[gnu::noinline]] void staged_loop(const batch<scalar_of<V>>& b, const int* in_components, int in_groups,
-                                   const int* out_components, int out_groups,
-                                   kernel<scalar_of<V>> contiguous, scalar_of<V>* blocks,
-                                   std::size_t block) noexcept {
+                                   const int* out_components, int out_groups, kernel<scalar_of<V>> contiguous,
+                                   scalar_of<V>* blocks, std::size_t block) noexcept {
     using T = scalar_of<V>;
     staged_group<V, const T> in[most_groups];
     staged_group<V, T> out[most_groups];

@@ -77,8 +77,7 @@ constexpr loops<T> numbered(const kernel_set<T, Variants...>&, std::index_sequen
 template <class V, class Kind, class Kernels, class T, int... Variants, int... Number>
 constexpr void fill(Kernels& table, const kernel_set<T, Variants...>& set,
                     std::integer_sequence<int, Number...>) noexcept {
-    ((table.all[Number] =
-          numbered<V, Kind, Number>(set, std::make_index_sequence<sizeof...(Variants)>())),
+    ((table.all[Number] = numbered<V, Kind, Number>(set, std::make_index_sequence<sizeof...(Variants)>())),
      ...);
 }
 

@@ -70,18 +70,22 @@ constinit const motor_normalize_kernels<double> kernels_on<motor_normalize_kerne
     table_of<motor_normalize_kernels<double>, double, motor_normalize_variants>();
 
 template <>
-constinit const from_rotation_translation_kernels<float> kernels_on<from_rotation_translation_kernels<float>, here>::table =
-    table_of<from_rotation_translation_kernels<float>, float, from_rotation_translation_variants>();
+constinit const from_rotation_translation_kernels<float>
+    kernels_on<from_rotation_translation_kernels<float>, here>::table =
+        table_of<from_rotation_translation_kernels<float>, float, from_rotation_translation_variants>();
 template <>
-constinit const from_rotation_translation_kernels<double> kernels_on<from_rotation_translation_kernels<double>, here>::table =
-    table_of<from_rotation_translation_kernels<double>, double, from_rotation_translation_variants>();
+constinit const from_rotation_translation_kernels<double>
+    kernels_on<from_rotation_translation_kernels<double>, here>::table =
+        table_of<from_rotation_translation_kernels<double>, double, from_rotation_translation_variants>();
 
 template <>
-constinit const to_rotation_translation_kernels<float> kernels_on<to_rotation_translation_kernels<float>, here>::table =
-    table_of<to_rotation_translation_kernels<float>, float, to_rotation_translation_variants>();
+constinit const to_rotation_translation_kernels<float>
+    kernels_on<to_rotation_translation_kernels<float>, here>::table =
+        table_of<to_rotation_translation_kernels<float>, float, to_rotation_translation_variants>();
 template <>
-constinit const to_rotation_translation_kernels<double> kernels_on<to_rotation_translation_kernels<double>, here>::table =
-    table_of<to_rotation_translation_kernels<double>, double, to_rotation_translation_variants>();
+constinit const to_rotation_translation_kernels<double>
+    kernels_on<to_rotation_translation_kernels<double>, here>::table =
+        table_of<to_rotation_translation_kernels<double>, double, to_rotation_translation_variants>();
 
 template <>
 constinit const motor_transform_kernels<float> kernels_on<motor_transform_kernels<float>, here>::table =

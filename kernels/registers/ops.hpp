@@ -369,7 +369,7 @@ inline __m256i first_lanes_64(std::size_t count) noexcept {
 // The first `count` lanes, of which there are some but not all, from memory; the first of them in the
 // others, a value like the rest: a number of no meaning might take a slow way through a kernel.
 template <class V>
-    requires requires { typename V::arch_type; }
+requires requires { typename V::arch_type; }
 inline V load_first(const scalar_of<V>* from, std::size_t count) noexcept {
     using T = scalar_of<V>;
 #if defined(__AVX512F__)
@@ -459,7 +459,8 @@ class quaternion_shuffle {
     // a in the lower half, b in the upper one.
     static __m512i halves_of(std::ptrdiff_t a, std::ptrdiff_t b) noexcept {
         if constexpr (sizeof(T) == 4)
-            return _mm512_mask_set1_epi32(_mm512_set1_epi32(static_cast<int>(a)), 0xff00, static_cast<int>(b));
+            return _mm512_mask_set1_epi32(_mm512_set1_epi32(static_cast<int>(a)), 0xff00,
+                                          static_cast<int>(b));
         else
             return _mm512_mask_set1_epi64(_mm512_set1_epi64(a), 0xf0, b);
     }
@@ -472,8 +473,7 @@ public:
         alignas(64) index every_fourth[V::size], quaternion[V::size];
         for (int e = 0; e < half; ++e) every_fourth[e] = every_fourth[half + e] = 4 * e;
         for (int e = 0; e < quarter; ++e)
-            for (int k = 0; k < 4; ++k)
-                quaternion[4 * e + slot[k]] = static_cast<index>(half * k + e);
+            for (int k = 0; k < 4; ++k) quaternion[4 * e + slot[k]] = static_cast<index>(half * k + e);
         const __m512i from = lanes_of(every_fourth);
         first_two_ = sum(from, halves_of(slot[0], slot[1]));
         last_two_ = sum(from, halves_of(slot[2], slot[3]));

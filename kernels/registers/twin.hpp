@@ -80,7 +80,7 @@ struct twin {
 
 // As for one register (ops.hpp); `count` may end in either of the two.
 template <class V>
-    requires requires { typename V::half; }
+requires requires { typename V::half; }
 inline V load_first(const scalar_of<V>* from, std::size_t count) noexcept {
     using half = typename V::half;
     if (count < half::size) return {load_first<half>(from, count), half(*from)};

@@ -1,5 +1,6 @@
-#include "kernels/loops/tables.hpp"
 #include "kernels/swing_twist/swing.hpp"
+
+#include "kernels/loops/tables.hpp"
 #include "kernels/swing_twist/tables.hpp"
 
 namespace swivel {

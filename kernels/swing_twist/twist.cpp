@@ -1,6 +1,7 @@
+#include "kernels/swing_twist/twist.hpp"
+
 #include "kernels/loops/tables.hpp"
 #include "kernels/swing_twist/tables.hpp"
-#include "kernels/swing_twist/twist.hpp"
 
 namespace swivel {
 

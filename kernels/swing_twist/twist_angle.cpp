@@ -1,6 +1,7 @@
+#include "kernels/swing_twist/twist_angle.hpp"
+
 #include "kernels/loops/tables.hpp"
 #include "kernels/swing_twist/tables.hpp"
-#include "kernels/swing_twist/twist_angle.hpp"
 
 namespace swivel {
 

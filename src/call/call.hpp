@@ -71,12 +71,8 @@ public:
     void read(const motor_view<const T>& m) noexcept {
         add_input({m.x, m.y, m.z, m.w, m.dx, m.dy, m.dz, m.dw}, m.size, m.stride, in_order);
     }
-    void read(const conformal_view<const T>& c) noexcept {
-        add_input(c.blade, c.size, c.stride, in_order);
-    }
-    void read(const bivector_view<const T>& b) noexcept {
-        add_input(b.blade, b.size, b.stride, in_order);
-    }
+    void read(const conformal_view<const T>& c) noexcept { add_input(c.blade, c.size, c.stride, in_order); }
+    void read(const bivector_view<const T>& b) noexcept { add_input(b.blade, b.size, b.stride, in_order); }
     // One number for all is read over and over. It must outlive the call.
     [[gnu::always_inline]] void read(const parameter<T>& t) noexcept {
         if (t.is_per_element)
@@ -94,8 +90,7 @@ public:
     [[gnu::always_inline]] void write(const scalar_view<T>& v) noexcept {
         add_output({v.data}, v.size, v.stride, in_order);
     }
-    [[gnu::always_inline]] void write(const factor_view<T>& v,
-                                      product p = product::swing_twist) noexcept {
+    [[gnu::always_inline]] void write(const factor_view<T>& v, product p = product::swing_twist) noexcept {
         add_output({v.s1, v.s2, v.sc, v.ts, v.tc}, v.size, 1, factor_places[p != product::swing_twist]);
     }
     void write(const spinor_view<T>& v) noexcept {
@@ -203,7 +198,8 @@ private:
         for (int k = 0; k < outputs_; ++k)
             extents_suffice_ = extents_suffice_ && !g.where.overlaps(out_[k].where);
         for (int k = 0; k < inputs_; ++k)
-            extents_suffice_ = extents_suffice_ && (!g.where.overlaps(in_[k].where) || is_in_place(g, in_[k]));
+            extents_suffice_ =
+                extents_suffice_ && (!g.where.overlaps(in_[k].where) || is_in_place(g, in_[k]));
         batch_.out_stride[outputs_++] = size == 1 ? 1 : stride;
         streams_out_ += N;
     }

@@ -1,7 +1,6 @@
-#include "swivel/conformal.hpp"
-
 #include "kernels/conformal/tables.hpp"
 #include "src/call/call.hpp"
+#include "swivel/conformal.hpp"
 
 namespace swivel {
 

@@ -93,8 +93,7 @@ vec3<T> transformed(const even<T>& r, const vec3<T>& p) {
 template <class T>
 status multiply_all(const conformal_view<const T>& a, const conformal_view<const T>& b,
                     const conformal_view<T>& out, const options& o) {
-    return for_each<T>(o, std::tuple(a, b),
-                       std::tuple(out),
+    return for_each<T>(o, std::tuple(a, b), std::tuple(out),
                        [&](std::size_t i) { write(out, i, product(read(a, i), read(b, i))); });
 }
 
@@ -131,8 +130,7 @@ status from_dilation_all(const scalar_view<const T>& factor, const conformal_vie
 template <class T>
 status transform_all(const conformal_view<const T>& r, const vec3_view<const T>& points,
                      const vec3_view<T>& out, const options& o) {
-    return for_each<T>(o, std::tuple(r, points),
-                       std::tuple(out),
+    return for_each<T>(o, std::tuple(r, points), std::tuple(out),
                        [&](std::size_t i) { write(out, i, transformed(read(r, i), read(points, i))); });
 }
 

@@ -371,72 +371,61 @@ T split_of(const bivector<T>& b, bivector<T>& first, bivector<T>& second) {
 template <class T>
 status square_root_all(const conformal_view<const T>& r, const conformal_view<T>& out,
                        const scalar_view<T>& unique, const options& o) {
-    return for_each<T>(o, std::tuple(r),
-                       std::tuple(out, unique),
-                       [&](std::size_t i) {
-                           even<T> root;
-                           write(unique, i, square_root_of(read(r, i), root));
-                           write(out, i, root);
-                       });
+    return for_each<T>(o, std::tuple(r), std::tuple(out, unique), [&](std::size_t i) {
+        even<T> root;
+        write(unique, i, square_root_of(read(r, i), root));
+        write(out, i, root);
+    });
 }
 
 template <class T>
 status exp_all(const bivector_view<const T>& b, const conformal_view<T>& out, const options& o) {
-    return for_each<T>(o, std::tuple(b), std::tuple(out),
-                       [&](std::size_t i) {
-                           const bivector<T> element = read(b, i);
-                           write(out, i, exp_of(element, zero_or_nan(element)));
-                       });
+    return for_each<T>(o, std::tuple(b), std::tuple(out), [&](std::size_t i) {
+        const bivector<T> element = read(b, i);
+        write(out, i, exp_of(element, zero_or_nan(element)));
+    });
 }
 
 template <class T>
 status log_all(const conformal_view<const T>& r, const bivector_view<T>& out, const scalar_view<T>& unique,
                const options& o) {
-    return for_each<T>(o, std::tuple(r),
-                       std::tuple(out, unique),
-                       [&](std::size_t i) {
-                           bivector<T> l;
-                           write(unique, i, log_of(read(r, i), l));
-                           write(out, i, l);
-                       });
+    return for_each<T>(o, std::tuple(r), std::tuple(out, unique), [&](std::size_t i) {
+        bivector<T> l;
+        write(unique, i, log_of(read(r, i), l));
+        write(out, i, l);
+    });
 }
 
 template <class T>
 status power_all(const conformal_view<const T>& r, const parameter<T>& t, const conformal_view<T>& out,
                  const scalar_view<T>& unique, const options& o) {
-    return for_each<T>(o, std::tuple(r, t),
-                       std::tuple(out, unique),
-                       [&](std::size_t i) {
-                           even<T> p;
-                           write(unique, i, power_of(read(r, i), read(t, i), p));
-                           write(out, i, p);
-                       });
+    return for_each<T>(o, std::tuple(r, t), std::tuple(out, unique), [&](std::size_t i) {
+        even<T> p;
+        write(unique, i, power_of(read(r, i), read(t, i), p));
+        write(out, i, p);
+    });
 }
 
 template <class T>
 status interpolate_all(const conformal_view<const T>& a, const conformal_view<const T>& b,
                        const parameter<T>& t, const conformal_view<T>& out, const scalar_view<T>& unique,
                        const options& o) {
-    return for_each<T>(o, std::tuple(a, b, t),
-                       std::tuple(out, unique),
-                       [&](std::size_t i) {
-                           even<T> p;
-                           write(unique, i, interpolate_of(read(a, i), read(b, i), read(t, i), p));
-                           write(out, i, p);
-                       });
+    return for_each<T>(o, std::tuple(a, b, t), std::tuple(out, unique), [&](std::size_t i) {
+        even<T> p;
+        write(unique, i, interpolate_of(read(a, i), read(b, i), read(t, i), p));
+        write(out, i, p);
+    });
 }
 
 template <class T>
 status split_all(const bivector_view<const T>& b, const bivector_view<T>& first,
                  const bivector_view<T>& second, const scalar_view<T>& unique, const options& o) {
-    return for_each<T>(o, std::tuple(b),
-                       std::tuple(first, second, unique),
-                       [&](std::size_t i) {
-                           bivector<T> one, other;
-                           write(unique, i, split_of(read(b, i), one, other));
-                           write(first, i, one);
-                           write(second, i, other);
-                       });
+    return for_each<T>(o, std::tuple(b), std::tuple(first, second, unique), [&](std::size_t i) {
+        bivector<T> one, other;
+        write(unique, i, split_of(read(b, i), one, other));
+        write(first, i, one);
+        write(second, i, other);
+    });
 }
 
 }  // namespace

@@ -173,9 +173,9 @@ status from_axis_angle_all(const twist_axis<T>& a, const scalar_view<const T>& r
                            const options& o) {
     using form = typename twist_axis<T>::form;
     if (a.kind == form::per_element)
-        return for_each<T>(
-            o, std::tuple(radians, a), std::tuple(q),
-            [&](std::size_t i) { write(q, i, rotation_about(read(a.per_element, i), read(radians, i))); });
+        return for_each<T>(o, std::tuple(radians, a), std::tuple(q), [&](std::size_t i) {
+            write(q, i, rotation_about(read(a.per_element, i), read(radians, i)));
+        });
     unit_axis<T> unit{};
     if (a.kind == form::uniform) make_unit(a.uniform, unit);
     return for_each<T>(o, std::tuple(radians, a), std::tuple(q), [&](std::size_t i) {
@@ -188,34 +188,30 @@ status from_axis_angle_all(const twist_axis<T>& a, const scalar_view<const T>& r
 template <class T>
 status to_axis_angle_all(const quat_view<const T>& q, const vec3_view<T>& a, const scalar_view<T>& radians,
                          const options& o) {
-    return for_each<T>(o, std::tuple(q),
-                       std::tuple(a, radians),
-                       [&](std::size_t i) {
-                           const axis_and_angle<T> found = axis_and_angle_of(read(q, i));
-                           write(a, i, found.a);
-                           write(radians, i, found.radians);
-                       });
+    return for_each<T>(o, std::tuple(q), std::tuple(a, radians), [&](std::size_t i) {
+        const axis_and_angle<T> found = axis_and_angle_of(read(q, i));
+        write(a, i, found.a);
+        write(radians, i, found.radians);
+    });
 }
 
 template <class T>
 status from_spinor_all(const spinor_view<const T>& s, const quat_view<T>& q, const options& o) {
-    return for_each<T>(o, std::tuple(s), std::tuple(q),
-                       [&](std::size_t i) {
-                           const auto at = [&](const T* first) { return *element(first, i, s.stride); };
-                           write(q, i, quat<T>{-at(s.c), -at(s.d), -at(s.b), at(s.a)});
-                       });
+    return for_each<T>(o, std::tuple(s), std::tuple(q), [&](std::size_t i) {
+        const auto at = [&](const T* first) { return *element(first, i, s.stride); };
+        write(q, i, quat<T>{-at(s.c), -at(s.d), -at(s.b), at(s.a)});
+    });
 }
 
 template <class T>
 status to_spinor_all(const quat_view<const T>& q, const spinor_view<T>& s, const options& o) {
-    return for_each<T>(o, std::tuple(q), std::tuple(s),
-                       [&](std::size_t i) {
-                           const quat<T> in = read(q, i);
-                           *element(s.a, i, s.stride) = in.w;
-                           *element(s.b, i, s.stride) = -in.z;
-                           *element(s.c, i, s.stride) = -in.x;
-                           *element(s.d, i, s.stride) = -in.y;
-                       });
+    return for_each<T>(o, std::tuple(q), std::tuple(s), [&](std::size_t i) {
+        const quat<T> in = read(q, i);
+        *element(s.a, i, s.stride) = in.w;
+        *element(s.b, i, s.stride) = -in.z;
+        *element(s.c, i, s.stride) = -in.x;
+        *element(s.d, i, s.stride) = -in.y;
+    });
 }
 
 template <class T>
@@ -233,17 +229,17 @@ status to_matrix_all(const quat_view<const T>& q, const matrix_view<T>& m, const
 template <class T>
 status from_euler_all(const vec3_view<const T>& radians, euler_order order, const quat_view<T>& q,
                       const options& o) {
-    return for_each<T>(o, std::tuple(radians),
-                       std::tuple(q),
-                       [&](std::size_t i) { write(q, i, rotation_by(read(radians, i), order)); }, check(order));
+    return for_each<T>(
+        o, std::tuple(radians), std::tuple(q),
+        [&](std::size_t i) { write(q, i, rotation_by(read(radians, i), order)); }, check(order));
 }
 
 template <class T>
 status to_euler_all(const quat_view<const T>& q, euler_order order, const vec3_view<T>& radians,
                     const options& o) {
-    return for_each<T>(o, std::tuple(q),
-                       std::tuple(radians),
-                       [&](std::size_t i) { write(radians, i, angles_of(read(q, i), order)); }, check(order));
+    return for_each<T>(
+        o, std::tuple(q), std::tuple(radians),
+        [&](std::size_t i) { write(radians, i, angles_of(read(q, i), order)); }, check(order));
 }
 
 }  // namespace

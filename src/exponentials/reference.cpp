@@ -65,8 +65,7 @@ status log_all(const quat_view<const T>& q, const vec3_view<T>& out, const optio
 template <class T>
 status power_all(const quat_view<const T>& q, const parameter<T>& t, const quat_view<T>& out,
                  const options& o) {
-    return for_each<T>(o, std::tuple(q, t),
-                       std::tuple(out),
+    return for_each<T>(o, std::tuple(q, t), std::tuple(out),
                        [&](std::size_t i) { write(out, i, power_of(read(q, i), read(t, i))); });
 }
 

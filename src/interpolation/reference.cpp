@@ -150,10 +150,9 @@ quat<T> sterp_of(const quat<T>& a, const quat<T>& b, const unit_axis<T>& axis, T
 template <class T, class Between>
 status between_all(const quat_view<const T>& a, const quat_view<const T>& b, const parameter<T>& t,
                    const quat_view<T>& out, const options& o, Between between) {
-    return for_each<T>(
-        o, std::tuple(a, b, t),
-        std::tuple(out),
-        [&](std::size_t i) { write(out, i, between(read(a, i), read(b, i), read(t, i), o.long_way)); });
+    return for_each<T>(o, std::tuple(a, b, t), std::tuple(out), [&](std::size_t i) {
+        write(out, i, between(read(a, i), read(b, i), read(t, i), o.long_way));
+    });
 }
 
 template <class T>
@@ -165,13 +164,13 @@ status sterp_all(const quat_view<const T>& a, const quat_view<const T>& b, const
         write(out, i, sterp_of(read(a, i), read(b, i), l, read(swing, i), read(twist, i), o));
     };
     if (vector.kind == twist_axis<T>::form::per_element)
-        return for_each<T>(o, std::tuple(a, b, vector, swing, twist),
-                           std::tuple(out),
+        return for_each<T>(o, std::tuple(a, b, vector, swing, twist), std::tuple(out),
                            [&](std::size_t i) { each(i, normalized(read(vector.per_element, i))); });
     unit_axis<T> unit{};
     (void)make_unit(vector.uniform, unit);
-    return for_each<T>(o, std::tuple(a, b, vector, swing, twist), std::tuple(out),
-                       [&](std::size_t i) { each(i, unit); }, check(axis.coordinate));
+    return for_each<T>(
+        o, std::tuple(a, b, vector, swing, twist), std::tuple(out), [&](std::size_t i) { each(i, unit); },
+        check(axis.coordinate));
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
-#include "swivel/motor.hpp"
-
 #include <algorithm>
 
 #include "kernels/motors/tables.hpp"
 #include "src/call/call.hpp"
+#include "swivel/motor.hpp"
 
 namespace swivel {
 

@@ -1,7 +1,6 @@
-#include "swivel/motor.hpp"
-
 #include "kernels/motors/tables.hpp"
 #include "src/call/call.hpp"
+#include "swivel/motor.hpp"
 
 namespace swivel {
 

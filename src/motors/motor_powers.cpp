@@ -1,7 +1,6 @@
-#include "swivel/motor.hpp"
-
 #include "kernels/motors/tables.hpp"
 #include "src/call/call.hpp"
+#include "swivel/motor.hpp"
 
 namespace swivel {
 
@@ -16,7 +15,8 @@ status any_square_root(const motor_view<const T>& m, const motor_view<T>& out, c
 }
 
 template <class T>
-status any_log(const motor_view<const T>& m, const vec3_view<T>& b, const vec3_view<T>& n, const options& o) noexcept {
+status any_log(const motor_view<const T>& m, const vec3_view<T>& b, const vec3_view<T>& n,
+               const options& o) noexcept {
     call<T> c(m.size, o);
     c.read(m);
     c.write(b);
@@ -25,7 +25,8 @@ status any_log(const motor_view<const T>& m, const vec3_view<T>& b, const vec3_v
 }
 
 template <class T>
-status any_exp(const vec3_view<const T>& b, const vec3_view<const T>& n, const motor_view<T>& out, const options& o) noexcept {
+status any_exp(const vec3_view<const T>& b, const vec3_view<const T>& n, const motor_view<T>& out,
+               const options& o) noexcept {
     call<T> c(b.size, o);
     c.read(b);
     c.read(n);
@@ -34,7 +35,8 @@ status any_exp(const vec3_view<const T>& b, const vec3_view<const T>& n, const m
 }
 
 template <class T>
-status any_power(const motor_view<const T>& m, const parameter<T>& t, const motor_view<T>& out, const options& o) noexcept {
+status any_power(const motor_view<const T>& m, const parameter<T>& t, const motor_view<T>& out,
+                 const options& o) noexcept {
     call<T> c(m.size, o);
     c.read(m);
     c.read(t);
@@ -43,7 +45,8 @@ status any_power(const motor_view<const T>& m, const parameter<T>& t, const moto
 }
 
 template <class T>
-status any_sclerp(const motor_view<const T>& a, const motor_view<const T>& b, const parameter<T>& t, const motor_view<T>& out, const options& o) noexcept {
+status any_sclerp(const motor_view<const T>& a, const motor_view<const T>& b, const parameter<T>& t,
+                  const motor_view<T>& out, const options& o) noexcept {
     call<T> c(a.size, o);
     c.read(a);
     c.read(b);
@@ -51,7 +54,6 @@ status any_sclerp(const motor_view<const T>& a, const motor_view<const T>& b, co
     c.write(out);
     return c.template run<sclerp_kernels>(o.long_way, index_of(o.accuracy));
 }
-
 
 }  // namespace
 

@@ -1,14 +1,14 @@
-#include "swivel/motor.hpp"
-
 #include "kernels/motors/tables.hpp"
 #include "src/call/call.hpp"
+#include "swivel/motor.hpp"
 
 namespace swivel {
 
 namespace {
 
 template <class T>
-status any_multiply(const motor_view<const T>& a, const motor_view<const T>& b, const motor_view<T>& out, const options& o) noexcept {
+status any_multiply(const motor_view<const T>& a, const motor_view<const T>& b, const motor_view<T>& out,
+                    const options& o) noexcept {
     call<T> c(a.size, o);
     c.read(a);
     c.read(b);
@@ -33,7 +33,8 @@ status any_normalize(const motor_view<const T>& m, const motor_view<T>& out, con
 }
 
 template <class T>
-status any_from_rotation_translation(const quat_view<const T>& q, const vec3_view<const T>& t, const motor_view<T>& out, const options& o) noexcept {
+status any_from_rotation_translation(const quat_view<const T>& q, const vec3_view<const T>& t,
+                                     const motor_view<T>& out, const options& o) noexcept {
     call<T> c(q.size, o);
     c.read(q);
     c.read(t);
@@ -42,7 +43,8 @@ status any_from_rotation_translation(const quat_view<const T>& q, const vec3_vie
 }
 
 template <class T>
-status any_to_rotation_translation(const motor_view<const T>& m, const quat_view<T>& q, const vec3_view<T>& t, const options& o) noexcept {
+status any_to_rotation_translation(const motor_view<const T>& m, const quat_view<T>& q, const vec3_view<T>& t,
+                                   const options& o) noexcept {
     call<T> c(m.size, o);
     c.read(m);
     c.write(q);
@@ -51,7 +53,8 @@ status any_to_rotation_translation(const motor_view<const T>& m, const quat_view
 }
 
 template <class T>
-status any_transform(const motor_view<const T>& m, const vec3_view<const T>& points, const vec3_view<T>& out, const options& o) noexcept {
+status any_transform(const motor_view<const T>& m, const vec3_view<const T>& points, const vec3_view<T>& out,
+                     const options& o) noexcept {
     call<T> c(m.size, o);
     c.read(m);
     c.read(points);

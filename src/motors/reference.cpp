@@ -244,8 +244,8 @@ status blend_all(std::span<const motor_view<const T>> motors, std::span<const pa
     if (motors.size() != weights.size()) return status::size_mismatch;
     if (motors.empty()) return status::bad_argument;
     for (std::size_t k = 0; k < motors.size(); ++k) {
-        const status bad = plain<T>(o, std::tuple(motors[k], weights[k]),
-                                    std::tuple(out), [](std::size_t) {});
+        const status bad =
+            plain<T>(o, std::tuple(motors[k], weights[k]), std::tuple(out), [](std::size_t) {});
         if (bad != status::ok) return bad;
     }
     for (std::size_t i = 0; i < out.size; ++i) write(out, i, blend_of(motors, weights, i));
@@ -281,12 +281,11 @@ status compose_all(const quat_view<const T>& swing, const quat_view<const T>& tw
                    const vec3_view<const T>& translation, const motor_view<T>& out, const options& o) {
     const bool swing_left = o.order == product::swing_twist;
     const quat_view<const T>&left = swing_left ? swing : twist, &right = swing_left ? twist : swing;
-    return plain<T>(o, std::tuple(left, right, translation),
-                    std::tuple(out), [&](std::size_t i) {
-                        const quat<T> q = hamilton(read(left, i), read(right, i));
-                        const quat<T> d = moved(q, read(translation, i));
-                        write(out, i, poisoned(motor<T>{q, d}, T(0) * d.y + T(0) * d.x));
-                    });
+    return plain<T>(o, std::tuple(left, right, translation), std::tuple(out), [&](std::size_t i) {
+        const quat<T> q = hamilton(read(left, i), read(right, i));
+        const quat<T> d = moved(q, read(translation, i));
+        write(out, i, poisoned(motor<T>{q, d}, T(0) * d.y + T(0) * d.x));
+    });
 }
 
 }  // namespace
@@ -323,15 +322,15 @@ status normalize(const motor_view<const double>& m, const motor_view<double>& ou
 }
 status from_rotation_translation(const quat_view<const float>& q, const vec3_view<const float>& t,
                                  const motor_view<float>& out, options o) noexcept {
-    return plain<float>(
-        o, std::tuple(q, t), std::tuple(out),
-        [&](std::size_t i) { write(out, i, from_rotation_translation_of(read(q, i), read(t, i))); });
+    return plain<float>(o, std::tuple(q, t), std::tuple(out), [&](std::size_t i) {
+        write(out, i, from_rotation_translation_of(read(q, i), read(t, i)));
+    });
 }
 status from_rotation_translation(const quat_view<const double>& q, const vec3_view<const double>& t,
                                  const motor_view<double>& out, options o) noexcept {
-    return plain<double>(
-        o, std::tuple(q, t), std::tuple(out),
-        [&](std::size_t i) { write(out, i, from_rotation_translation_of(read(q, i), read(t, i))); });
+    return plain<double>(o, std::tuple(q, t), std::tuple(out), [&](std::size_t i) {
+        write(out, i, from_rotation_translation_of(read(q, i), read(t, i)));
+    });
 }
 status to_rotation_translation(const motor_view<const float>& m, const quat_view<float>& q,
                                const vec3_view<float>& t, options o) noexcept {
@@ -345,14 +344,13 @@ status to_rotation_translation(const motor_view<const float>& m, const quat_view
 }
 status to_rotation_translation(const motor_view<const double>& m, const quat_view<double>& q,
                                const vec3_view<double>& t, options o) noexcept {
-    return plain<double>(o, std::tuple(m), std::tuple(q, t),
-                         [&](std::size_t i) {
-                             const motor<double> in = read(m, i);
-                             const vec3<double> moves = translation_of(in);
-                             const double poison = 0 * moves.x;
-                             write(q, i, poison == 0 ? in.r : each(poison));
-                             write(t, i, vec3<double>{moves.x + poison, moves.y + poison, moves.z + poison});
-                         });
+    return plain<double>(o, std::tuple(m), std::tuple(q, t), [&](std::size_t i) {
+        const motor<double> in = read(m, i);
+        const vec3<double> moves = translation_of(in);
+        const double poison = 0 * moves.x;
+        write(q, i, poison == 0 ? in.r : each(poison));
+        write(t, i, vec3<double>{moves.x + poison, moves.y + poison, moves.z + poison});
+    });
 }
 status transform(const motor_view<const float>& m, const vec3_view<const float>& points,
                  const vec3_view<float>& out, options o) noexcept {
@@ -382,12 +380,11 @@ status log(const motor_view<const float>& m, const vec3_view<float>& b, const ve
 }
 status log(const motor_view<const double>& m, const vec3_view<double>& b, const vec3_view<double>& n,
            options o) noexcept {
-    return plain<double>(o, std::tuple(m), std::tuple(b, n),
-                         [&](std::size_t i) {
-                             const motor_bivector<double> r = log_of(read(m, i));
-                             write(b, i, r.b);
-                             write(n, i, r.n);
-                         });
+    return plain<double>(o, std::tuple(m), std::tuple(b, n), [&](std::size_t i) {
+        const motor_bivector<double> r = log_of(read(m, i));
+        write(b, i, r.b);
+        write(n, i, r.n);
+    });
 }
 status exp(const vec3_view<const float>& b, const vec3_view<const float>& n, const motor_view<float>& out,
            options o) noexcept {
@@ -411,15 +408,15 @@ status power(const motor_view<const double>& m, const parameter<double>& t, cons
 }
 status sclerp(const motor_view<const float>& a, const motor_view<const float>& b, const parameter<float>& t,
               const motor_view<float>& out, options o) noexcept {
-    return plain<float>(
-        o, std::tuple(a, b, t), std::tuple(out),
-        [&](std::size_t i) { write(out, i, sclerp_of(read(a, i), read(b, i), read(t, i), o.long_way)); });
+    return plain<float>(o, std::tuple(a, b, t), std::tuple(out), [&](std::size_t i) {
+        write(out, i, sclerp_of(read(a, i), read(b, i), read(t, i), o.long_way));
+    });
 }
 status sclerp(const motor_view<const double>& a, const motor_view<const double>& b,
               const parameter<double>& t, const motor_view<double>& out, options o) noexcept {
-    return plain<double>(
-        o, std::tuple(a, b, t), std::tuple(out),
-        [&](std::size_t i) { write(out, i, sclerp_of(read(a, i), read(b, i), read(t, i), o.long_way)); });
+    return plain<double>(o, std::tuple(a, b, t), std::tuple(out), [&](std::size_t i) {
+        write(out, i, sclerp_of(read(a, i), read(b, i), read(t, i), o.long_way));
+    });
 }
 status blend(std::span<const motor_view<const float>> motors, std::span<const parameter<float>> weights,
              const motor_view<float>& out, options o) noexcept {

@@ -206,30 +206,28 @@ bool any_negative([[maybe_unused]] std::size_t i, const Signs&... signs) {
 template <class T, class... Signs>
 status compose_all(const quat_view<const T>& swing, const quat_view<const T>& twist, const quat_view<T>& q,
                    const options& o, const Signs&... signs) {
-    return for_each<T>(o,
-                       std::tuple(swing, twist, signs...),
-                       std::tuple(q),
-                       [&](std::size_t i) {
-                           const quat<T> s = read(swing, i);
-                           quat<T> t = read(twist, i);
-                           if (any_negative<T>(i, signs...)) t = {-t.x, -t.y, -t.z, -t.w};
-                           write(q, i, o.order == product::swing_twist ? multiply(s, t) : multiply(t, s));
-                       });
+    return for_each<T>(o, std::tuple(swing, twist, signs...), std::tuple(q), [&](std::size_t i) {
+        const quat<T> s = read(swing, i);
+        quat<T> t = read(twist, i);
+        if (any_negative<T>(i, signs...)) t = {-t.x, -t.y, -t.z, -t.w};
+        write(q, i, o.order == product::swing_twist ? multiply(s, t) : multiply(t, s));
+    });
 }
 
 template <class T, class... Signs>
 status compose_all(const factor_view<const T>& in, axis a, const quat_view<T>& q, const options& o,
                    const Signs&... signs) {
-    return for_each<T>(o, std::tuple(in, signs...),
-                       std::tuple(q), [&](std::size_t i) {
-                           factors<T> f = read(in, i);
-                           if (any_negative<T>(i, signs...)) {
-                               f.ts = -f.ts;
-                               f.tc = -f.tc;
-                           }
-                           write(q, i, compose_about(a, f, o.order));
-                       },
-                       check(a));
+    return for_each<T>(
+        o, std::tuple(in, signs...), std::tuple(q),
+        [&](std::size_t i) {
+            factors<T> f = read(in, i);
+            if (any_negative<T>(i, signs...)) {
+                f.ts = -f.ts;
+                f.tc = -f.tc;
+            }
+            write(q, i, compose_about(a, f, o.order));
+        },
+        check(a));
 }
 
 }  // namespace
