@@ -69,25 +69,32 @@ constexpr int digit() noexcept {
     return rest % values[Place];
 }
 
-template <class V, class Kind, int Number, class T, int... Variants, std::size_t... Place>
-constexpr loops<T> numbered(const kernel_set<T, Variants...>&, std::index_sequence<Place...>) noexcept {
+template <class V, class Kind, int Number, int... Variants, std::size_t... Place>
+constexpr loops<scalar_of<V>> numbered(std::index_sequence<Place...>) noexcept {
     return loops_of<V, Kind, digit<Number, Place, Variants...>()...>();
 }
 
-template <class V, class Kind, class Kernels, class T, int... Variants, int... Number>
-constexpr void fill(Kernels& table, const kernel_set<T, Variants...>& set,
-                    std::integer_sequence<int, Number...>) noexcept {
-    ((table.all[Number] = numbered<V, Kind, Number>(set, std::make_index_sequence<sizeof...(Variants)>())),
-     ...);
+template <class V, class Kind, int Number, class T, int... Variants>
+constexpr loops<T> numbered(const kernel_set<T, Variants...>&) noexcept {
+    return numbered<V, Kind, Number, Variants...>(std::make_index_sequence<sizeof...(Variants)>());
+}
+
+template <class V, class Kind, class Kernels, int... Number>
+constexpr Kernels filled(std::integer_sequence<int, Number...>) noexcept {
+    Kernels table{};
+    ((table.all[Number] = numbered<V, Kind, Number>(table)), ...);
+    return table;
+}
+
+template <class T, int... Variants>
+constexpr auto numbers_of(const kernel_set<T, Variants...>&) noexcept {
+    return std::make_integer_sequence<int, (1 * ... * Variants)>();
 }
 
 // The kernels of the operation `Kind` for the element type T.
 template <class Kernels, class T, class Kind>
 constexpr Kernels table_of() noexcept {
-    Kernels table{};
-    constexpr int count = sizeof table.all / sizeof table.all[0];
-    fill<xsimd::batch<T, architecture>, Kind>(table, table, std::make_integer_sequence<int, count>());
-    return table;
+    return filled<xsimd::batch<T, architecture>, Kind, Kernels>(numbers_of(Kernels{}));
 }
 
 }  // namespace
