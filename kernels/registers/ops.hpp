@@ -473,7 +473,7 @@ public:
         alignas(64) index every_fourth[V::size], quaternion[V::size];
         for (int e = 0; e < half; ++e) every_fourth[e] = every_fourth[half + e] = 4 * e;
         for (int e = 0; e < quarter; ++e)
-            for (int k = 0; k < 4; ++k) quaternion[4 * e + slot[k]] = static_cast<index>(half * k + e);
+            for (int k = 0; k < 4; ++k) quaternion[4 * e + slot[k]] = static_cast<index>(half) * k + e;
         const __m512i from = lanes_of(every_fourth);
         first_two_ = sum(from, halves_of(slot[0], slot[1]));
         last_two_ = sum(from, halves_of(slot[2], slot[3]));
