@@ -9,4 +9,5 @@ static const float first = initial();
 static float product(const float* a) { return a[0] * first; }
 
 template <>
-const swivel::one_kernels<float> swivel::kernels_on<swivel::one_kernels<float>, swivel::sse2>::table = {product};
+const swivel::one_kernels<float> swivel::kernels_on<swivel::one_kernels<float>, swivel::sse2>::table = {
+    product};

@@ -4,4 +4,5 @@
 inline __attribute__((noinline)) float twice(const float* a) { return *a + *a; }
 
 template <>
-const swivel::one_kernels<float> swivel::kernels_on<swivel::one_kernels<float>, swivel::sse2>::table = {twice};
+const swivel::one_kernels<float> swivel::kernels_on<swivel::one_kernels<float>, swivel::sse2>::table = {
+    twice};

@@ -4,4 +4,5 @@
 static float product(const float* a) { return a[0] * a[1]; }
 
 template <>
-const swivel::one_kernels<float> swivel::kernels_on<swivel::one_kernels<float>, swivel::sse2>::table = {product};
+const swivel::one_kernels<float> swivel::kernels_on<swivel::one_kernels<float>, swivel::sse2>::table = {
+    product};
