@@ -26,7 +26,8 @@ inline T* quaternion_array(T* const* stream, std::ptrdiff_t stride, std::ptrdiff
     return seen == 0xfU ? first : nullptr;
 }
 
-// The first `count` quaternions, of which there are some but not a register, by way of a whole block.
+// The first `count` quaternions, of which there are some but not a register, by way of a whole block; numbers of
+// no meaning in the other lanes.
 template <class V>
 inline void load_first_quaternions(const quaternion_shuffle<V>& shuffle, const scalar_of<V>* from,
                                    std::size_t count, V* four) noexcept {
@@ -54,6 +55,14 @@ inline void store_first_quaternions(const quaternion_shuffle<V>& shuffle, const 
         else if (all > before)
             store_first(V::load_aligned(block + before), to + before, all - before);
     }
+}
+
+// The first of them in all lanes from `count` on.
+template <class V>
+inline void fill_up(V* four, std::size_t count) noexcept {
+    alignas(V) scalar_of<V> block[4 * V::size];
+    for (std::size_t k = 0; k < 4; ++k) four[k].store_aligned(block + k * V::size);
+    for (std::size_t k = 0; k < 4; ++k) four[k] = load_first<V>(block + k * V::size, count);
 }
 
 // A group of four streams: an array of quaternions, or where `first` is null contiguous streams.
@@ -111,10 +120,12 @@ inline bool array_loop(const batch<scalar_of<V>>& b, std::index_sequence<I...>, 
             constexpr std::size_t first = static_cast<std::size_t>(reads::first_of(K));
             if constexpr (reads::components[K] == 4) {
                 if (from[K].first != nullptr) {
-                    if constexpr (Whole)
+                    if constexpr (Whole) {
                         from[K].shuffle.load(from[K].first + 4 * i, in + first);
-                    else
+                    } else {
                         load_first_quaternions(from[K].shuffle, from[K].first + 4 * i, count, in + first);
+                        fill_up(in + first, count);
+                    }
                     return;
                 }
             }
