@@ -6,8 +6,8 @@ made. So an object of kernels, NAME.ISA.cpp.o, may define no external symbols bu
 that is weak, unique or in a COMDAT group, may share none with another object, and may have no constructors. All other
 objects of the library must be free of AVX instructions.
 
-usage: check_isa_objects.py [--library LIBRARY.a] [--avx OBJECT]... [--objdump PROGRAM] OBJECT...
-  --avx OBJECT   an object that may hold AVX instructions
+usage: check_isa_objects.py [--library LIBRARY.a] [--avx ISA]... [--objdump PROGRAM] OBJECT...
+  --avx ISA   one whose objects may hold AVX instructions
 """
 
 import argparse
@@ -65,6 +65,11 @@ class Elf:
                 yield from (self.sections[m].name for m in members if self.sections[m].flags & SHF_ALLOC)
 
 
+def isa_of(name):
+    """avx2 of decompose.avx2.cpp.o."""
+    return name.split(".")[1] if name.count(".") > 2 else "no ISA"
+
+
 def object_faults(elf, isa):
     external = [s for s in elf.symbols() if s.section != SHN_UNDEF and s.binding != STB_LOCAL]
     strong = [s for s in external if s.binding == STB_GLOBAL]
@@ -118,7 +123,7 @@ def library_faults(objdump, library, avx):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--library")
-    parser.add_argument("--avx", action="append", default=[], metavar="OBJECT")
+    parser.add_argument("--avx", action="append", default=[], metavar="ISA")
     parser.add_argument("--objdump", default="objdump")
     parser.add_argument("objects", nargs="+", metavar="OBJECT")
     arguments = parser.parse_args()
@@ -128,14 +133,13 @@ def main():
     for path in arguments.objects:
         name = os.path.basename(path)
         elf = Elf(path)
-        isa = name.split(".")[1] if name.count(".") > 2 else "none"
-        faults += [f"{name}: {fault}" for fault in object_faults(elf, isa)]
+        faults += [f"{name}: {fault}" for fault in object_faults(elf, isa_of(name))]
         for symbol in elf.symbols():
             if symbol.section != SHN_UNDEF and symbol.binding == STB_GLOBAL:
                 owners[symbol.name].append(name)
     faults += [f"{symbol}: defined in {' '.join(names)}" for symbol, names in owners.items() if len(names) > 1]
     if arguments.library:
-        avx = {os.path.basename(path) for path in arguments.avx}
+        avx = {name for name in map(os.path.basename, arguments.objects) if isa_of(name) in arguments.avx}
         faults += [
             f"{os.path.basename(arguments.library)}: {fault}"
             for fault in library_faults(arguments.objdump, arguments.library, avx)
