@@ -17,9 +17,14 @@ struct constants<float> {
     // Below this sum w^2 + u^2 the squares lose bits to underflow, whatever the threshold: 2^-126 of the
     // smallest normal number, and 24 bits and some to spare.
     static constexpr float pole_floor = 0x1p-100f;
+    static constexpr float root_of_pole_floor = 0x1p-50f;
+    // So small that only the first term of a series in it counts, and so large that the next powers and their
+    // products with the root of the floor are normal: subnormal numbers take many times as long.
+    static constexpr float negligible = 0x1p-24f;
     static constexpr float infinity = __builtin_inff();
     static constexpr float largest_power_of_two = 0x1p127f;
     static constexpr float smallest_normal = 0x1p-126f;
+    static constexpr float root_of_smallest_normal = 0x1p-63f;
 
     // atan z = z + z^3 (c0 + c1 z^2 + ...) for |z| <= 1, relative error 5.0e-9 (minimax).
     static constexpr float atan[] = {-0x1.55553ep-2f, 0x1.9991e4p-3f,  -0x1.2420bp-3f,
@@ -69,9 +74,12 @@ struct constants<double> {
     static constexpr double rounding = 0x1p-53;
     static constexpr double pole_threshold = 0x1p-106;
     static constexpr double pole_floor = 0x1p-960;
+    static constexpr double root_of_pole_floor = 0x1p-480;
+    static constexpr double negligible = 0x1p-60;
     static constexpr double infinity = __builtin_inf();
     static constexpr double largest_power_of_two = 0x1p1023;
     static constexpr double smallest_normal = 0x1p-1022;
+    static constexpr double root_of_smallest_normal = 0x1p-511;
 
     // Relative error 8.8e-18.
     static constexpr double atan[] = {

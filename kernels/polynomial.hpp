@@ -1,6 +1,7 @@
 #ifndef SWIVEL_KERNELS_POLYNOMIAL_HPP
 #define SWIVEL_KERNELS_POLYNOMIAL_HPP
 
+#include "kernels/constants.hpp"
 #include "kernels/registers/ops.hpp"
 
 namespace swivel {
@@ -26,6 +27,13 @@ inline V polynomial(V x, const scalar_of<V> (&c)[N]) noexcept {
         const V rest = M::multiply_add(horner<M, 3, 2>(xx, c), x, horner<M, 2, 2>(xx, c));
         return M::multiply_add(M::multiply_add(rest, x, V(c[1])), x, V(c[0]));
     }
+}
+
+// x^2 for a series in x >= 0.
+template <class V>
+inline V series_square(V x) noexcept {
+    const V no_less = larger(V(constants<scalar_of<V>>::negligible), x);
+    return no_less * no_less;
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 // Quaternions in registers, and what several operations do with them. An infinity may come out as one.
 
 #include "kernels/constants.hpp"
-#include "kernels/kernel_table.hpp"
+#include "kernels/kernel.hpp"
 #include "kernels/registers/ops.hpp"
 
 namespace swivel {
@@ -56,12 +56,11 @@ inline rotor<V> scaled(const rotor<V>& q, V by) noexcept {
     return {q.x * by, q.y * by, q.z * by, q.w * by};
 }
 
-// Of length 1; NaN where something is not finite.
+// Of length 1, if the square of its length is at least that; NaN where something is not finite.
 template <precision_index P, class V>
-inline rotor<V> normalized(const rotor<V>& q) noexcept {
-    const V floor(constants<scalar_of<V>>::pole_floor);
+inline rotor<V> normalized(const rotor<V>& q, V least = V(constants<scalar_of<V>>::pole_floor)) noexcept {
     // The quotient by an infinity would be 0.
-    const V no_less = larger(floor, nan_for_infinity<arithmetic<P>>(dot_of<P>(q, q)));
+    const V no_less = larger(least, nan_for_infinity<arithmetic<P>>(dot_of<P>(q, q)));
     if constexpr (P == reproducible_index) {
         const V root = square_root_of(no_less);
         return {quotient(q.x, root), quotient(q.y, root), quotient(q.z, root), quotient(q.w, root)};

@@ -18,7 +18,7 @@ import sys
 import tempfile
 
 UNIT_IN_NS = {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}
-BEST_FIRST = ("avx512", "avx2", "sse4", "sse2", "neon64")
+BEST_FIRST = ("avx512", "avx2", "sse2", "neon64")
 SMALL, FEW, MANY, HUGE = 1, 16, 1024, 4194304
 
 

@@ -2,12 +2,12 @@
 """Checks that the kernels of one ISA cannot be run by a processor that lacks it.
 
 The linker keeps one copy of a symbol that several objects define, and runs constructors before any choice of ISA is
-made. So the object of each ISA may define one external symbol, its kernel table, and none that is weak, unique or in
-a COMDAT group, may share none with another ISA, and may have no constructors. All other objects of the library must
-be free of AVX instructions.
+made. So an object of kernels, NAME.ISA.cpp.o, may define no external symbols but kernel tables of its ISA, and none
+that is weak, unique or in a COMDAT group, may share none with another object, and may have no constructors. All other
+objects of the library must be free of AVX instructions.
 
-usage: check_isa_objects.py [--library LIBRARY.a] [--avx OBJECT]... [--objdump PROGRAM] OBJECT...
-  --avx OBJECT   an object that may hold AVX instructions
+usage: check_isa_objects.py [--library LIBRARY.a] [--avx ISA]... [--objdump PROGRAM] OBJECT...
+  --avx ISA   one whose objects may hold AVX instructions
 """
 
 import argparse
@@ -65,7 +65,12 @@ class Elf:
                 yield from (self.sections[m].name for m in members if self.sections[m].flags & SHF_ALLOC)
 
 
-def object_faults(elf):
+def isa_of(name):
+    """avx2 of decompose.avx2.cpp.o."""
+    return name.split(".")[1] if name.count(".") > 2 else "no ISA"
+
+
+def object_faults(elf, isa):
     external = [s for s in elf.symbols() if s.section != SHN_UNDEF and s.binding != STB_LOCAL]
     strong = [s for s in external if s.binding == STB_GLOBAL]
     for symbol in external:
@@ -75,10 +80,13 @@ def object_faults(elf):
     for section in elf.groups():
         if not any(section.endswith("." + name) for name in named):
             yield f"COMDAT section {section}"
-    if len(strong) != 1:
-        yield f"{len(strong)} external symbols, one expected: {' '.join(s.name for s in strong)}"
-    elif strong[0].type != STT_OBJECT:
-        yield f"external symbol {strong[0].name} is no table"
+    if not strong:
+        yield "no table"
+    # kernels_on<..., ISA>::table, mangled.
+    table = re.compile(rf"_ZN6swivel10kernels_onI.*NS_{len(isa)}{isa}EE5tableE$")
+    for symbol in strong:
+        if symbol.type != STT_OBJECT or not table.match(symbol.name):
+            yield f"external symbol {symbol.name} is no table of {isa}"
     for section in elf.sections:
         if section.type in (SHT_INIT_ARRAY, SHT_PREINIT_ARRAY) or re.match(r"\.(init|ctors)\b", section.name):
             yield f"section {section.name}: code that runs before main"
@@ -115,7 +123,7 @@ def library_faults(objdump, library, avx):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--library")
-    parser.add_argument("--avx", action="append", default=[], metavar="OBJECT")
+    parser.add_argument("--avx", action="append", default=[], metavar="ISA")
     parser.add_argument("--objdump", default="objdump")
     parser.add_argument("objects", nargs="+", metavar="OBJECT")
     arguments = parser.parse_args()
@@ -125,13 +133,13 @@ def main():
     for path in arguments.objects:
         name = os.path.basename(path)
         elf = Elf(path)
-        faults += [f"{name}: {fault}" for fault in object_faults(elf)]
+        faults += [f"{name}: {fault}" for fault in object_faults(elf, isa_of(name))]
         for symbol in elf.symbols():
             if symbol.section != SHN_UNDEF and symbol.binding == STB_GLOBAL:
                 owners[symbol.name].append(name)
     faults += [f"{symbol}: defined in {' '.join(names)}" for symbol, names in owners.items() if len(names) > 1]
     if arguments.library:
-        avx = {os.path.basename(path) for path in arguments.avx}
+        avx = {name for name in map(os.path.basename, arguments.objects) if isa_of(name) in arguments.avx}
         faults += [
             f"{os.path.basename(arguments.library)}: {fault}"
             for fault in library_faults(arguments.objdump, arguments.library, avx)

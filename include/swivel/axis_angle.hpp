@@ -14,8 +14,8 @@
 //            to: where v = 0 the axis is (1, 0, 0), and the angle 0 or, where the sign bit of w is set, 2 pi.
 // NaN/Inf    An element with a NaN or an infinity anywhere comes out as NaN in every component.
 // Accuracy   In units of 2^-24 (float) and 2^-53 (double), asserted by axis_angle_test.cpp: q 3, with an axis
-//            for each element in fast 4.5; the axis 4, and the angle, relative to itself, 4, however small it
-//            is down to where numbers become subnormal.
+//            for each element 4, fast 4.5; the axis 4, and the angle, relative to itself, 4, fast 4.5, however
+//            small it is down to where numbers become subnormal.
 // Identity   The angle 0 gives exactly (0, 0, 0, 1), and (0, 0, 0, 1) exactly the angle 0.
 // Aliasing   Outputs may be exactly inputs (types.hpp).
 // Cost       One pass. from: 1 stream in, 3 more for an axis for each element, 4 out. to: 4 in, 4 out.

@@ -3,7 +3,7 @@
 
 #include "swivel/types.hpp"
 
-// from_euler, to_euler: a rotation as three rotations about the coordinate axes, in any of the six orders
+// from_euler, to_euler: a rotation as three rotations about the coordinate axes, in any of the twelve orders
 //
 // Formula    euler_order::xyz is q = qx qy qz with qx = (sin(x/2), 0, 0, cos(x/2)) and so on (types.hpp). A
 //            vector of angles has them by axis, (x, y, z), whatever the order. Back, with i, j, k the
@@ -12,12 +12,17 @@
 //              first = sum + difference    third = sum - difference
 //              second = atan2(2 (w j + i k), |(w + j, i + k)| |(w - j, i - k)|)
 //            k and the third angle have the other sign where i j = -k.
+//            The proper orders, euler_order::zxz and its like, turn about the first axis again. A vector of
+//            angles has them one after the other, first, second, third, as (x, y, z). Back, with k the
+//            component about the axis that is left, of the other sign where i j = -k:
+//              sum = atan2(i, w)   difference = atan2(k, j)   second = 2 atan2(|(j, k)|, |(w, i)|)
 // Domain     from: |angle| <= 2^14 (double: 2^21) radians; a larger angle counts as 0. to: any quaternion
 //            with 2^-24 <= |q| < 2^62 (double: 2^-400 <= |q| < 2^510), unit or not, and 0. The first and
-//            third angle are in [-pi, pi], the second in [-pi/2, pi/2], to rounding; q and -q give the same.
-// Singular   The lock, where the second angle is +-pi/2 and only the sum or the difference of the others
-//            matters: where its cosine is at most 2^-23 (double: 2^-52) the third angle is 0 and the first
-//            one takes all. The zero quaternion gives (0, 0, 0). Near the lock the first and third angle are
+//            third angle are in [-pi, pi], the second in [-pi/2, pi/2], in the proper orders in [0, pi], to
+//            rounding; q and -q give the same.
+// Singular   The lock, where the second angle is +-pi/2, in the proper orders 0 or pi, and only the sum or the
+//            difference of the others matters: where its cosine, or sine, is at most 2^-23 (double: 2^-52)
+//            the third angle is 0 and the first one takes all. The zero quaternion gives (0, 0, 0). Near the lock the first and third angle are
 //            ill conditioned in q, but right for the q that is given, and from_euler restores it as well as
 //            anywhere.
 // NaN/Inf    An element with a NaN or an infinity anywhere comes out as NaN in every component.

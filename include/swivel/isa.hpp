@@ -4,7 +4,7 @@
 // Which instruction set runs the kernels.
 //
 // The best usable ISA is chosen the first time that it is needed. The environment variable SWIVEL_ISA, read
-// at that moment, names another one (sse2, sse4, avx2, avx512, neon64); a name that is unknown or not usable
+// at that moment, names another one (sse2, avx2, avx512, neon64); a name that is unknown or not usable
 // is ignored.
 
 #include <cstdint>
@@ -15,13 +15,12 @@ namespace swivel {
 
 enum class isa : std::uint8_t {
     sse2,    // x86-64 baseline
-    sse4,    // SSE4.1: Penryn, Bulldozer and later
     avx2,    // with FMA: Haswell and later, every Zen
     avx512,  // F, CD, DQ, BW and VL: Skylake-X and later, Zen 4 and later
     neon64   // AArch64 baseline
 };
 
-inline constexpr isa all_isas[] = {isa::sse2, isa::sse4, isa::avx2, isa::avx512, isa::neon64};
+inline constexpr isa all_isas[] = {isa::sse2, isa::avx2, isa::avx512, isa::neon64};
 
 // The name used by SWIVEL_ISA, the command and the test and bench rows; never null.
 const char* name(isa) noexcept;

@@ -21,7 +21,7 @@
 //            zz >= 0, else x where xx > yy, else y.
 // NaN/Inf    An element with a NaN or an infinity anywhere comes out as NaN in every component.
 // Accuracy   In units of 2^-24 (float) and 2^-53 (double), asserted by matrix_test.cpp: the elements of the
-//            matrix 4; q 4 from a matrix whose elements are rounded right; |q| 3, fast 4, whatever the
+//            matrix 4.5; q 4 from a matrix whose elements are rounded right; |q| 3, fast 4, whatever the
 //            matrix.
 // Identity   (0, 0, 0, 1) gives exactly the unit matrix, and the unit matrix gives it, exactly in
 //            reproducible.

@@ -120,7 +120,7 @@ status exp(const vec3_view<const double>& b, const vec3_view<const double>& n, c
 // Singular   As log.
 // Domain     |t| <= 2^11 (double: 2^18); beyond, results are finite and mean nothing.
 // Identity   In reproducible t = 1 gives the bits of M.
-// Accuracy   For t in [-0.25, 1.25] the real part 5, the dual part 4, times 1 + pi/m where w < 0.
+// Accuracy   For t in [-0.25, 1.25] the real part 6, fast 7.5, the dual part 4, times 1 + pi/m where w < 0.
 status power(const motor_view<const float>& m, const parameter<float>& t, const motor_view<float>& out,
              options = {}) noexcept;
 status power(const motor_view<const double>& m, const parameter<double>& t, const motor_view<double>& out,

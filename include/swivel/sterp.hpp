@@ -17,7 +17,7 @@
 //            constant.
 //            (Chou's post prints the product in another order and without a; neither that nor its correction
 //            is right.)
-// Domain     Quaternions of any length from 2^-15 to 2^15 (double: 2^-120 to 2^120), of which only the
+// Domain     Quaternions of any length from 2^-13 to 2^15 (double: 2^-120 to 2^120), of which only the
 //            direction counts; the result is a unit quaternion. Any axis but 0. |s|, |t| <= 2^11 (double:
 //            2^18), outside of [0, 1] too; beyond, results are finite and mean nothing.
 // Pole       That of decompose: where D turns the axis into its opposite, T = (0, 0, 0, sgn w) and all of the

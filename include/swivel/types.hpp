@@ -20,6 +20,9 @@
 //
 //   Never throws, never allocates, takes no lock, and may be called from any thread at any time. The floating
 //   point environment (rounding mode, flush to zero) is used as found; the stated figures are for the default.
+//   Of the exception flags inexact alone is raised on ordinary data and on still data (no motion, b = a, vectors of
+//   zeros where they are allowed), which is as quick as any other; beside poles and other singular places, and where
+//   squares and products of what is given overflow or underflow, any flag may be raised (exceptions_test.cpp).
 //   All checks are made before the first write and cost the same for every size. On any status but `ok` nothing
 //   has been written. A size of 0 is `ok`, whatever the pointers. Values are not inspected.
 //   An output stream may be exactly an input stream (same pointer, stride and size: in place). Any other overlap
@@ -40,8 +43,9 @@ enum class product : std::uint8_t {
 
 // The order of three rotations about coordinate axes. xyz is the quaternion qx qy qz: about x, then about the
 // y that this has turned, then about the z that both have turned; or about the axes as they stand, z first.
-// It is what the channels "Xrotation Yrotation Zrotation" of a BVH file mean.
-enum class euler_order : std::uint8_t { xyz, xzy, yxz, yzx, zxy, zyx };
+// It is what the channels "Xrotation Yrotation Zrotation" of a BVH file mean. xyx is qx qy qx with angles of their own:
+// the third rotation is about the axis of the first again, as it then lies (the proper Euler angles).
+enum class euler_order : std::uint8_t { xyz, xzy, yxz, yzx, zxy, zyx, xyx, xzx, yxy, yzy, zxz, zyz };
 
 enum class precision : std::uint8_t {
     // The quickest arithmetic of the ISA: fused multiply-add, estimate of the reciprocal root, Newton steps.

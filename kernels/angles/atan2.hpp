@@ -2,7 +2,8 @@
 #define SWIVEL_KERNELS_ANGLES_ATAN2_HPP
 
 #include "kernels/constants.hpp"
-#include "kernels/kernel_table.hpp"
+#include "kernels/kernel.hpp"
+#include "kernels/loops/streams.hpp"
 #include "kernels/polynomial.hpp"
 #include "kernels/registers/ops.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 template <precision_index P, class V>
 inline V atan_of(V z) noexcept {
     using M = arithmetic<P>;
-    const V s = z * z;
+    const V s = series_square(magnitude(z));
     return M::multiply_add(z * s, polynomial<M>(s, constants<scalar_of<V>>::atan), z);
 }
 
@@ -36,8 +37,8 @@ inline V atan2_above(V y, V x) noexcept {
     // The angle of the quotient is odd: its sign is that of z.
     const V minus(T(-0.0));
     V z = quotient(small, select(large == zero, one, large));
+    const V s = series_square(z);
     z = z ^ select(steep, minus, zero) ^ select(left, minus, zero);
-    const V s = z * z;
     // The smallest first: each sum rounds once, and the last one not at all where the angle is small.
     const V bend = M::multiply_add(z * s, polynomial<M>(s, C::atan), quarters * V(C::half_pi_rest));
     return M::multiply_add(quarters, V(C::half_pi), z + bend);
@@ -64,8 +65,8 @@ inline V angle_of(V y, V x, V distance) noexcept {
 template <precision_index P, class V>
 struct atan2_op {
     using M = arithmetic<P>;
-    static constexpr int inputs = 2, quaternions_in = 0;
-    static constexpr int outputs = 1, quaternions_out = 0;
+    using reads = streams<1, 1>;
+    using writes = streams<1>;
 
     explicit atan2_op(const scalar_of<V>*) noexcept {}
 

@@ -2,7 +2,8 @@
 #define SWIVEL_KERNELS_ANGLES_SINCOS_HPP
 
 #include "kernels/constants.hpp"
-#include "kernels/kernel_table.hpp"
+#include "kernels/kernel.hpp"
+#include "kernels/loops/streams.hpp"
 #include "kernels/polynomial.hpp"
 #include "kernels/registers/ops.hpp"
 
@@ -11,8 +12,9 @@ namespace {
 
 // Sine and cosine of angles up to constants::largest_angle. The angle is brought to r = |x| - k pi/2 in
 // [-pi/4, pi/4], with pi/2 in parts so short that their products with k are exact, all but the last. NaN
-// gives NaN.
-template <precision_index P, class V>
+// gives NaN. MayBeTiny: whether the angle may be the root of a floor or a part of it, whose powers are subnormal; what
+// comes out is the same.
+template <precision_index P, bool MayBeTiny = false, class V>
 inline void sincos_within(V x, V& sine, V& cosine) noexcept {
     using T = scalar_of<V>;
     using C = constants<T>;
@@ -34,7 +36,7 @@ inline void sincos_within(V x, V& sine, V& cosine) noexcept {
         const V third = k * V(C::half_pi_parts[2]), reduced = rest - third;
         r = reduced + (((rest - reduced) - third) - k * V(C::half_pi_parts[3]));
     }
-    const V s = r * r;
+    const V s = MayBeTiny ? series_square(magnitude(r)) : r * r;
     const V sin_r = M::multiply_add(r * s, polynomial<M>(s, C::sin), r);
     const V cos_r =
         M::multiply_add(s * s, polynomial<M>(s, C::cos), M::negate_multiply_add(V(T(0.5)), s, one));
@@ -45,18 +47,18 @@ inline void sincos_within(V x, V& sine, V& cosine) noexcept {
 }
 
 // Those that are larger count as 0. NaN and infinity give NaN.
-template <precision_index P, class V>
+template <precision_index P, bool MayBeTiny = false, class V>
 inline void sincos_of(V x, V& sine, V& cosine) noexcept {
     using T = scalar_of<V>;
     const mask_of<V> beyond = magnitude(x) > V(constants<T>::largest_angle);
-    sincos_within<P>(select(beyond, V(T(0)) * x, x), sine, cosine);
+    sincos_within<P, MayBeTiny>(select(beyond, V(T(0)) * x, x), sine, cosine);
 }
 
 // Streams in: the angle. Out: its sine and cosine.
 template <precision_index P, class V>
 struct sincos_op {
-    static constexpr int inputs = 1, quaternions_in = 0;
-    static constexpr int outputs = 2, quaternions_out = 0;
+    using reads = streams<1>;
+    using writes = streams<1, 1>;
 
     explicit sincos_op(const scalar_of<V>*) noexcept {}
 

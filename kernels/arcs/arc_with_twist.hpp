@@ -3,6 +3,7 @@
 
 #include "kernels/angles/sincos.hpp"
 #include "kernels/arcs/shortest_arc.hpp"
+#include "kernels/loops/streams.hpp"
 
 namespace swivel {
 namespace {
@@ -12,8 +13,8 @@ namespace {
 template <precision_index P, bool TwistFirst, class V>
 struct arc_with_twist_op {
     using T = scalar_of<V>;
-    static constexpr int inputs = 7, quaternions_in = 0;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<3, 3, 1>;
+    using writes = streams<4>;
 
     explicit arc_with_twist_op(const T*) noexcept {}
 

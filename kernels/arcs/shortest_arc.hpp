@@ -1,6 +1,7 @@
 #ifndef SWIVEL_KERNELS_ARCS_SHORTEST_ARC_HPP
 #define SWIVEL_KERNELS_ARCS_SHORTEST_ARC_HPP
 
+#include "kernels/loops/streams.hpp"
 #include "kernels/quat.hpp"
 #include "kernels/vector3.hpp"
 
@@ -27,10 +28,12 @@ inline rotor<V> arc_between(const vector3<V>& a, const vector3<V>& b) noexcept {
     const V zero(T(0)), minus(T(-0.0));
     const V aa = dot_of<P>(a, a), squares = aa * dot_of<P>(b, b), cosine = dot_of<P>(a, b);
     const vector3<V> c = cross_of<P>(a, b);
-    const mask_of<V> obtuse = cosine < zero;
-    const V h = select(squares == zero, V(T(1)), root_divisor<P, V>(squares).root() + magnitude(cosine));
+    const mask_of<V> obtuse = cosine < zero, nothing = squares == zero;
+    const V one(T(1));
+    const V h =
+        select(nothing, one, root_divisor<P, V>(select(nothing, one, squares)).root() + magnitude(cosine));
 
-    const V scale = quotient(V(T(1)), aa);
+    const V scale = quotient(one, larger(one, aa));
     // Twice: what rounding leaves of the part the first time counts double in the half turn.
     const vector3<V> e = without_part<P>(without_part<P>(c, a, scale), a, scale);
     const mask_of<V> known =
@@ -52,8 +55,8 @@ inline rotor<V> arc_between(const vector3<V>& a, const vector3<V>& b) noexcept {
 // Streams in: x y z of the vector that is turned, x y z of that to which. Out: x y z w.
 template <precision_index P, class V>
 struct shortest_arc_op {
-    static constexpr int inputs = 6, quaternions_in = 0;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<3, 3>;
+    using writes = streams<4>;
 
     explicit shortest_arc_op(const scalar_of<V>*) noexcept {}
 

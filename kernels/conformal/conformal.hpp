@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "kernels/constants.hpp"
-#include "kernels/kernel_table.hpp"
+#include "kernels/kernel.hpp"
+#include "kernels/loops/streams.hpp"
 #include "kernels/registers/ops.hpp"
 
 namespace swivel {
@@ -98,8 +99,8 @@ inline void conformal_reverse(const V* c, V* out) noexcept {
 // Streams in: 16 of a, 16 of b. Out: 16.
 template <precision_index P, class V>
 struct conformal_multiply_op {
-    static constexpr int inputs = 32, quaternions_in = 0;
-    static constexpr int outputs = 16, quaternions_out = 0;
+    using reads = streams<16, 16>;
+    using writes = streams<16>;
 
     explicit conformal_multiply_op(const scalar_of<V>*) noexcept {}
 
@@ -109,8 +110,8 @@ struct conformal_multiply_op {
 // Streams in: 16. Out: 16.
 template <class V>
 struct conformal_reverse_op {
-    static constexpr int inputs = 16, quaternions_in = 0;
-    static constexpr int outputs = 16, quaternions_out = 0;
+    using reads = streams<16>;
+    using writes = streams<16>;
 
     explicit conformal_reverse_op(const scalar_of<V>*) noexcept {}
 
@@ -129,8 +130,8 @@ inline void fill_with(V value, V* out) noexcept {
 // dx dy dz dw. Out: 16.
 template <class V>
 struct conformal_from_motor_op {
-    static constexpr int inputs = 8, quaternions_in = 0;
-    static constexpr int outputs = 16, quaternions_out = 0;
+    using reads = streams<8>;
+    using writes = streams<16>;
 
     explicit conformal_from_motor_op(const scalar_of<V>*) noexcept {}
 
@@ -151,8 +152,8 @@ struct conformal_from_motor_op {
 // Streams in: x y z w. Out: 16.
 template <class V>
 struct conformal_from_rotation_op {
-    static constexpr int inputs = 4, quaternions_in = 1;
-    static constexpr int outputs = 16, quaternions_out = 0;
+    using reads = streams<4>;
+    using writes = streams<16>;
 
     explicit conformal_from_rotation_op(const scalar_of<V>*) noexcept {}
 
@@ -169,8 +170,8 @@ struct conformal_from_rotation_op {
 // Streams in: x y z of the translation. Out: 16.
 template <class V>
 struct conformal_from_translation_op {
-    static constexpr int inputs = 3, quaternions_in = 0;
-    static constexpr int outputs = 16, quaternions_out = 0;
+    using reads = streams<3>;
+    using writes = streams<16>;
 
     explicit conformal_from_translation_op(const scalar_of<V>*) noexcept {}
 
@@ -187,8 +188,8 @@ struct conformal_from_translation_op {
 // cosh(L/2) + sinh(L/2) e45 with the factor exp(-L). Streams in: the factor. Out: 16.
 template <class V>
 struct conformal_from_dilation_op {
-    static constexpr int inputs = 1, quaternions_in = 0;
-    static constexpr int outputs = 16, quaternions_out = 0;
+    using reads = streams<1>;
+    using writes = streams<16>;
 
     explicit conformal_from_dilation_op(const scalar_of<V>*) noexcept {}
 
@@ -209,8 +210,8 @@ template <precision_index P, class V>
 struct conformal_transform_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 19, quaternions_in = 0;
-    static constexpr int outputs = 3, quaternions_out = 0;
+    using reads = streams<16, 3>;
+    using writes = streams<3>;
 
     explicit conformal_transform_op(const T*) noexcept {}
 

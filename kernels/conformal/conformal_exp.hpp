@@ -5,6 +5,7 @@
 #include "kernels/angles/sincos.hpp"
 #include "kernels/conformal/conformal_planes.hpp"
 #include "kernels/conformal/hyperbolic.hpp"
+#include "kernels/loops/streams.hpp"
 
 namespace swivel {
 namespace {
@@ -38,9 +39,9 @@ template <precision_index P, class V>
     const V x2 =
         select(outside, zero, square_root_of(select(alike, larger(sum - twice, zero), magnitude(small))));
     V sine1, cosine1, sine2, cosine2, sinh2, cosh2;
-    sincos_within<P>(x1, sine1, cosine1);
-    sincos_within<P>(x2, sine2, cosine2);
-    sinhcosh_of<P>(x2, sinh2, cosh2);
+    sincos_within<P, true>(x1, sine1, cosine1);
+    sincos_within<P, true>(x2, sine2, cosine2);
+    sinhcosh_of<P>(select(hyperbolic, x2, zero), sinh2, cosh2);
     sine2 = select(hyperbolic, sinh2, sine2);
     cosine2 = select(hyperbolic, cosh2, cosine2);
     const V z1 = ratio(sine1, x1, one), z2 = ratio(sine2, x2, one);
@@ -155,9 +156,9 @@ template <precision_index P, class V>
     const mask_of<V> outside =
         (magnitude(x1) > largest) | (length > largest) | (s.hyperbolic & (length > V(C::largest_boost)));
     V sine_1, cosine_1, sine_2, cosine_2, sinh, cosh;
-    sincos_within<P>(select(outside, zero, x1), sine_1, cosine_1);
-    sincos_within<P>(select(outside, zero, x2), sine_2, cosine_2);
-    sinhcosh_of<P>(select(outside, zero, length), sinh, cosh);
+    sincos_within<P, true>(select(outside, zero, x1), sine_1, cosine_1);
+    sincos_within<P, true>(select(outside, zero, x2), sine_2, cosine_2);
+    sinhcosh_of<P>(select(outside | ~s.hyperbolic, zero, length), sinh, cosh);
     sine_2 = select(s.hyperbolic, sinh ^ sign_of(x2), sine_2);
     cosine_2 = select(s.hyperbolic, cosh, cosine_2);
 
@@ -205,8 +206,8 @@ inline void replace(mask_of<V> m, const V* by, V* out) noexcept {
 // Streams in: 10. Out: 16.
 template <precision_index P, class V>
 struct conformal_exp_op {
-    static constexpr int inputs = 10, quaternions_in = 0;
-    static constexpr int outputs = 16, quaternions_out = 0;
+    using reads = streams<10>;
+    using writes = streams<16>;
 
     explicit conformal_exp_op(const scalar_of<V>*) noexcept {}
 
@@ -216,8 +217,8 @@ struct conformal_exp_op {
 // Streams in: 16. Out: 10, and 1 where the logarithm is unique, otherwise 0.
 template <precision_index P, class V>
 struct conformal_log_op {
-    static constexpr int inputs = 16, quaternions_in = 0;
-    static constexpr int outputs = 11, quaternions_out = 0;
+    using reads = streams<16>;
+    using writes = streams<10, 1>;
 
     explicit conformal_log_op(const scalar_of<V>*) noexcept {}
 
@@ -228,8 +229,8 @@ struct conformal_log_op {
 template <precision_index P, class V>
 struct conformal_power_op {
     using T = scalar_of<V>;
-    static constexpr int inputs = 17, quaternions_in = 0;
-    static constexpr int outputs = 17, quaternions_out = 0;
+    using reads = streams<16, 1>;
+    using writes = streams<16, 1>;
 
     explicit conformal_power_op(const T*) noexcept {}
 
@@ -244,8 +245,8 @@ struct conformal_power_op {
 template <precision_index P, class V>
 struct conformal_interpolate_op {
     using T = scalar_of<V>;
-    static constexpr int inputs = 33, quaternions_in = 0;
-    static constexpr int outputs = 17, quaternions_out = 0;
+    using reads = streams<16, 16, 1>;
+    using writes = streams<16, 1>;
 
     explicit conformal_interpolate_op(const T*) noexcept {}
 

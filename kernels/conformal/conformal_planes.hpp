@@ -7,6 +7,8 @@
 // they need without the planes, which are not unique where a and b are alike.
 
 #include "kernels/conformal/conformal.hpp"
+#include "kernels/loops/streams.hpp"
+#include "kernels/rotors/normalize.hpp"
 
 namespace swivel {
 namespace {
@@ -83,18 +85,28 @@ inline void find_roots(V sum, V product, V& p, V& q) noexcept {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
     const V zero(T(0)), minus(T(-0.0));
-    const V root = square_root_of(larger(M::negate_multiply_add(V(T(4)), product, sum * sum), zero));
-    const V big = V(T(0.5)) * (magnitude(sum) + root);
+    const V size = magnitude(sum);
+    // Its square would be subnormal.
+    const mask_of<V> tiny = size < V(constants<T>::root_of_smallest_normal);
+    const V part = select(tiny, zero, sum);
+    const V root = square_root_of(larger(M::negate_multiply_add(V(T(4)), product, part * part), zero));
+    const V big = V(T(0.5)) * (size + select(tiny, larger(size, root), root));
     const V other = quotient(product, larger(big, V(constants<T>::pole_floor)));
     const mask_of<V> positive = sum >= zero;
     p = select(positive, big, larger(other ^ minus, zero));
     q = select(positive, select(other > big, big, other), big ^ minus);
 }
 
+// a / b, or `other` where not m: nothing is divided there.
+template <class V>
+inline V quotient_or(mask_of<V> m, V a, V b, V other) noexcept {
+    return select(m, quotient(a, select(m, b, V(scalar_of<V>(1)))), other);
+}
+
 // a / b, or `limit` where b is as good as 0.
 template <class V>
 inline V ratio(V a, V b, V limit) noexcept {
-    return select(b > V(constants<scalar_of<V>>::pole_floor), quotient(a, b), limit);
+    return quotient_or(b > V(constants<scalar_of<V>>::pole_floor), a, b, limit);
 }
 
 // k = 2 cos(a/2) cos(b/2) and n = cos a + cos b of a rotor, squared, and whether they are more than rounding:
@@ -109,15 +121,18 @@ template <class V>
 inline half_cosines<V> half_cosines_of(V scalar, const even_parts<V>& p, V bivector_size,
                                        V four_size) noexcept {
     using T = scalar_of<V>;
-    const V zero(T(0)), one(T(1)), noise(constants<T>::noise), less = one - scalar;
+    const V zero(T(0)), one(T(1)), noise(constants<T>::noise);
     const mask_of<V> positive = scalar >= zero;
+    const V less = select(positive, one, one - scalar);
     // 1 + scalar, without cancellation.
     const V above = select(positive, one + scalar, quotient(p.four_squared - p.bivector_squared, less));
     const V share = select(positive, zero, quotient(bivector_size, less));
-    const V n_squared = above * above - p.four_squared;
+    // Nothing where its square counts for nothing, and would with the noise be subnormal.
+    const V large = select(magnitude(above) < V(constants<T>::root_of_pole_floor), zero, above);
+    const V n_squared = large * large - p.four_squared;
     const V n = square_root_of(larger(n_squared, zero));
-    const V k_squared = select(above >= zero, above + n, quotient(p.four_squared ^ V(T(-0.0)), n - above));
-    const V size = magnitude(above), sum = (size + share) * size + four_size;
+    const V k_squared = quotient_or(above < zero, p.four_squared ^ V(T(-0.0)), n - above, above + n);
+    const V size = magnitude(large), sum = (size + share) * size + four_size;
     return {k_squared, n_squared,
             (n_squared > noise * sum + V(constants<T>::pole_floor)) &
                 (k_squared > noise * select(positive, zero, bivector_size))};
@@ -158,8 +173,8 @@ template <precision_index P, class V>
 struct conformal_square_root_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 16, quaternions_in = 0;
-    static constexpr int outputs = 17, quaternions_out = 0;
+    using reads = streams<16>;
+    using writes = streams<16, 1>;
 
     explicit conformal_square_root_op(const T*) noexcept {}
 
@@ -168,8 +183,8 @@ struct conformal_square_root_op {
         even_parts<V> p;
         find_parts<P>(in, p);
         const regular_rotor<V> c = find_regular(in[0], p);
-        const V k = square_root_of(c.k_squared), twice = k + k;
-        const V mixed = quotient(V(T(1)), square_root_of(c.n_squared) * twice);
+        const V one(T(1)), k = square_root_of(select(c.none, one, c.k_squared)), twice = k + k;
+        const V mixed = quotient(one, square_root_of(select(c.none, one, c.n_squared)) * twice);
         const V four = quotient(c.sign, twice), plane = c.sign * (c.k_squared * mixed);
         out[0] = select(c.none, zero, V(T(0.5)) * k) + bad;
         [&]<int... K>(std::integer_sequence<int, K...>) __attribute__((always_inline)) {
@@ -194,8 +209,8 @@ struct conformal_split_op {
     using T = scalar_of<V>;
     using C = constants<T>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 10, quaternions_in = 0;
-    static constexpr int outputs = 21, quaternions_out = 0;
+    using reads = streams<10>;
+    using writes = streams<10, 10, 1>;
 
     explicit conformal_split_op(const T*) noexcept {}
 
@@ -207,7 +222,8 @@ struct conformal_split_op {
             ((largest = larger(largest, magnitude(in[K]))), ...);
         }
         (std::make_integer_sequence<int, 10>());
-        const V scale = reciprocal_power_of_two(largest), back = quotient(V(T(1)), scale);
+        const V scale = reciprocal_power_of_two(select(largest == zero, V(T(1)), largest)),
+                back = quotient(V(T(1)), scale);
         [&]<int... K>(std::integer_sequence<int, K...>) __attribute__((always_inline)) {
             ((scaled[K] = in[K] * scale), ...);
         }
@@ -237,12 +253,13 @@ struct conformal_split_op {
 
         const V apart = select(alike, sum * difference, big - small);
         const mask_of<V> unique = apart > V(C::noise) * p.bivector_size;
+        const V over = select(unique, apart, V(T(1)));
         [&]<int... K>(std::integer_sequence<int, K...>) __attribute__((always_inline)) {
             ((out[K] = select(unique,
                               back * select(alike,
                                             M::multiply_add(of_sums, sums[1 + K],
                                                             of_differences * differences[1 + K]),
-                                            quotient(M::multiply_add(big, r[1 + K], p.mixed[K]), apart)),
+                                            quotient(M::multiply_add(big, r[1 + K], p.mixed[K]), over)),
                               in[K]) +
                        bad),
              ...);

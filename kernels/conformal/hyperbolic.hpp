@@ -2,7 +2,7 @@
 #define SWIVEL_KERNELS_CONFORMAL_HYPERBOLIC_HPP
 
 #include "kernels/constants.hpp"
-#include "kernels/kernel_table.hpp"
+#include "kernels/kernel.hpp"
 #include "kernels/polynomial.hpp"
 #include "kernels/registers/ops.hpp"
 #include "kernels/rotors/normalize.hpp"
@@ -49,7 +49,7 @@ inline V asinh_of(V x) noexcept {
     const V k = (shifted_right<fraction_bits<T>>(power) | first) - V(first_number + exponent_bias<T>);
     const V brought = M::multiply_add(sum, V(T(0.5)) * reciprocal_power_of_two(power), V(T(-1)));
     const V rest = select(k == zero, t, brought);
-    const V f = quotient(rest, rest + two), s = f * f;
+    const V f = quotient(rest, rest + two), s = series_square(magnitude(f));
     const V tail = M::multiply_add(k, V(C::ln_2_rest), f + f);
     return M::multiply_add(k, V(C::ln_2), M::multiply_add(f * s, polynomial<M>(s, C::log), tail));
 }

@@ -3,19 +3,24 @@
 
 #include "kernels/angles/atan2.hpp"
 #include "kernels/angles/sincos.hpp"
+#include "kernels/loops/streams.hpp"
 #include "kernels/swing_twist/axis_form.hpp"
 
 namespace swivel {
 namespace {
 
+// For each form of the axis one.
+template <int Form, precision_index P, class V>
+struct from_axis_angle_op;
+
 // Streams in: the angle. Out: B C A w.
 template <precision_index P, class V>
-struct from_coordinate_axis_angle_op {
+struct from_axis_angle_op<coordinate_index, P, V> {
     using T = scalar_of<V>;
-    static constexpr int inputs = 1, quaternions_in = 0;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<1>;
+    using writes = streams<4>;
 
-    explicit from_coordinate_axis_angle_op(const T*) noexcept {}
+    explicit from_axis_angle_op(const T*) noexcept {}
 
     void operator()(const V* in, V* out) const noexcept {
         sincos_of<P>(V(T(0.5)) * in[0], out[2], out[3]);
@@ -26,15 +31,14 @@ struct from_coordinate_axis_angle_op {
 
 // Uniform: the threshold, which is not looked at, and the unit axis. Streams in: the angle. Out: x y z w.
 template <precision_index P, class V>
-struct from_uniform_axis_angle_op {
+struct from_axis_angle_op<uniform_index, P, V> {
     using T = scalar_of<V>;
-    static constexpr int inputs = 1, quaternions_in = 0;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<1>;
+    using writes = streams<4>;
 
     V ax, ay, az;
 
-    explicit from_uniform_axis_angle_op(const T* uniform) noexcept
-        : ax(uniform[1]), ay(uniform[2]), az(uniform[3]) {}
+    explicit from_axis_angle_op(const T* uniform) noexcept : ax(uniform[1]), ay(uniform[2]), az(uniform[3]) {}
 
     void operator()(const V* in, V* out) const noexcept {
         V sine;
@@ -47,12 +51,12 @@ struct from_uniform_axis_angle_op {
 
 // Streams in: the angle, and the axis x y z. Out: x y z w.
 template <precision_index P, class V>
-struct from_each_axis_angle_op {
+struct from_axis_angle_op<per_element_index, P, V> {
     using T = scalar_of<V>;
-    static constexpr int inputs = 4, quaternions_in = 0;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<1, 3>;
+    using writes = streams<4>;
 
-    explicit from_each_axis_angle_op(const T*) noexcept {}
+    explicit from_axis_angle_op(const T*) noexcept {}
 
     void operator()(const V* in, V* out) const noexcept {
         const V zero(T(0)), one(T(1));
@@ -72,8 +76,8 @@ template <precision_index P, class V>
 struct to_axis_angle_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 4, quaternions_in = 1;
-    static constexpr int outputs = 4, quaternions_out = 0;
+    using reads = streams<4>;
+    using writes = streams<3, 1>;
 
     explicit to_axis_angle_op(const T*) noexcept {}
 

@@ -2,6 +2,7 @@
 #define SWIVEL_KERNELS_CONVERSIONS_MATRIX_HPP
 
 #include "kernels/constants.hpp"
+#include "kernels/loops/streams.hpp"
 #include "kernels/quat.hpp"
 
 namespace swivel {
@@ -12,8 +13,8 @@ template <precision_index P, class V>
 struct from_matrix_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 9, quaternions_in = 0;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<9>;
+    using writes = streams<4>;
 
     explicit from_matrix_op(const T*) noexcept {}
 
@@ -64,8 +65,8 @@ template <precision_index P, class V>
 struct to_matrix_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 4, quaternions_in = 1;
-    static constexpr int outputs = 9, quaternions_out = 0;
+    using reads = streams<4>;
+    using writes = streams<9>;
 
     explicit to_matrix_op(const T*) noexcept {}
 

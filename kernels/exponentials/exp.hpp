@@ -2,6 +2,7 @@
 #define SWIVEL_KERNELS_EXPONENTIALS_EXP_HPP
 
 #include "kernels/angles/sincos.hpp"
+#include "kernels/loops/streams.hpp"
 #include "kernels/vector3.hpp"
 
 namespace swivel {
@@ -12,8 +13,8 @@ template <precision_index P, class V>
 struct exp_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 3, quaternions_in = 0;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<3>;
+    using writes = streams<4>;
 
     explicit exp_op(const T*) noexcept {}
 
@@ -28,7 +29,7 @@ struct exp_op {
         const root_divisor<P, V> angle(
             larger(V(constants<T>::pole_floor), select(beyond, zero_or_nan, squared)));
         V sine;
-        sincos_within<P>(angle.root(), sine, out[3]);
+        sincos_within<P, true>(angle.root(), sine, out[3]);
         const V factor = select(beyond, zero_or_nan, angle.divide(sine));
         out[0] = b.x * factor;
         out[1] = b.y * factor;

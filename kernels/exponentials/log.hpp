@@ -3,6 +3,7 @@
 
 #include "kernels/angles/atan2.hpp"
 #include "kernels/exponentials/polar_form.hpp"
+#include "kernels/loops/streams.hpp"
 
 namespace swivel {
 namespace {
@@ -10,8 +11,8 @@ namespace {
 // Streams in: x y z w. Out: x y z of half the angle times the axis.
 template <precision_index P, class V>
 struct log_op {
-    static constexpr int inputs = 4, quaternions_in = 1;
-    static constexpr int outputs = 3, quaternions_out = 0;
+    using reads = streams<4>;
+    using writes = streams<3>;
 
     explicit log_op(const scalar_of<V>*) noexcept {}
 

@@ -31,7 +31,9 @@ inline polar_form<P, V> polar(const V* q, scalar_of<V> by) noexcept {
     using T = scalar_of<V>;
     using C = constants<T>;
     const V zero(T(0)), one(T(1)), exponent_bits(C::infinity);
-    const V power = larger(V(C::smallest_normal), largest_magnitude(q[0], q[1], q[2])) & exponent_bits;
+    // Not down to the smallest number, whose product with the length would be subnormal where there is no vector
+    // part.
+    const V power = larger(V(C::pole_floor), largest_magnitude(q[0], q[1], q[2])) & exponent_bits;
     const V scale = power ^ exponent_bits;
     const vector3<V> v{q[0] * scale, q[1] * scale, q[2] * scale};
     const V squared = dot_of<P>(v, v);

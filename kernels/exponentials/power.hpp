@@ -4,6 +4,7 @@
 #include "kernels/angles/atan2.hpp"
 #include "kernels/angles/sincos.hpp"
 #include "kernels/exponentials/polar_form.hpp"
+#include "kernels/loops/streams.hpp"
 
 namespace swivel {
 namespace {
@@ -12,8 +13,8 @@ namespace {
 template <precision_index P, class V>
 struct power_op {
     using T = scalar_of<V>;
-    static constexpr int inputs = 5, quaternions_in = 1;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<4, 1>;
+    using writes = streams<4>;
 
     explicit power_op(const T*) noexcept {}
 

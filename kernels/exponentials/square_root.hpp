@@ -2,6 +2,7 @@
 #define SWIVEL_KERNELS_EXPONENTIALS_SQUARE_ROOT_HPP
 
 #include "kernels/exponentials/polar_form.hpp"
+#include "kernels/loops/streams.hpp"
 
 namespace swivel {
 namespace {
@@ -10,8 +11,8 @@ namespace {
 template <precision_index P, class V>
 struct square_root_op {
     using T = scalar_of<V>;
-    static constexpr int inputs = 4, quaternions_in = 1;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<4>;
+    using writes = streams<4>;
 
     explicit square_root_op(const T*) noexcept {}
 

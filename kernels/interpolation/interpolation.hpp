@@ -25,11 +25,12 @@ inline rotor<V> turned_about_x(const rotor<V>& q) noexcept {
 // |a| / |b| from their squares: the factor that brings b to the length of a.
 template <precision_index P, class V>
 inline V ratio_of_lengths(V aa, V bb) noexcept {
-    const V floor(constants<scalar_of<V>>::pole_floor);
+    using C = constants<scalar_of<V>>;
+    // The product of the squares is good as far as it is normal.
     if constexpr (P == reproducible_index)
-        return square_root_of(quotient(aa, larger(floor, bb)));
+        return square_root_of(quotient(aa, larger(V(C::pole_floor), bb)));
     else
-        return aa * arithmetic<P>::reciprocal_root(larger(floor, aa * bb));
+        return aa * arithmetic<P>::reciprocal_root(larger(V(C::smallest_normal), aa * bb));
 }
 
 // In reproducible the ends themselves, with all their bits, unless the result says that something is not

@@ -2,6 +2,7 @@
 #define SWIVEL_KERNELS_INTERPOLATION_NLERP_HPP
 
 #include "kernels/interpolation/interpolation.hpp"
+#include "kernels/loops/streams.hpp"
 
 namespace swivel {
 namespace {
@@ -11,8 +12,8 @@ template <precision_index P, bool LongWay, class V>
 struct nlerp_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 9, quaternions_in = 2;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<4, 4, 1>;
+    using writes = streams<4>;
 
     explicit nlerp_op(const T*) noexcept {}
 
@@ -28,7 +29,8 @@ struct nlerp_op {
         const V mm = dot_of<P>(m, m);
         // A chord through the middle has no direction there.
         const mask_of<V> nothing = mm <= V(constants<T>::pole_threshold) * dot_of<P>(a, a);
-        const rotor<V> between = normalized<P>(either(nothing, turned_about_x(a), m));
+        const rotor<V> between =
+            normalized<P>(either(nothing, turned_about_x(a), m), V(constants<T>::smallest_normal));
         put(with_ends<P>(between, t == zero, a, t == one, flipped(given, way)), out);
     }
 };

@@ -4,6 +4,7 @@
 #include "kernels/angles/atan2.hpp"
 #include "kernels/angles/sincos.hpp"
 #include "kernels/interpolation/interpolation.hpp"
+#include "kernels/loops/streams.hpp"
 
 namespace swivel {
 namespace {
@@ -18,8 +19,8 @@ struct slerp_op {
     using T = scalar_of<V>;
     using C = constants<T>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 9, quaternions_in = 2;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<4, 4, 1>;
+    using writes = streams<4>;
 
     explicit slerp_op(const T*) noexcept {}
 
@@ -58,8 +59,9 @@ struct slerp_op {
         const V nn = dot_of<P>(n, n), part = quotient(dot_of<P>(p, n), larger(V(C::pole_floor), nn));
         p = {M::negate_multiply_add(part, n.x, p.x), M::negate_multiply_add(part, n.y, p.y),
              M::negate_multiply_add(part, n.z, p.z), M::negate_multiply_add(part, n.w, p.w)};
-        p = either(dot_of<P>(p, p) <= V(C::pole_threshold) * nn, scaled(turned_about_x(n), V(T(-0x1p-40))),
-                   p);
+        // So short that the tangent vanishes beside pi/2.
+        const rotor<V> about_x = scaled(turned_about_x(n), V(C::rounding * T(-0x1p-8)));
+        p = either(dot_of<P>(p, p) <= V(C::pole_threshold) * nn, about_x, p);
         V along, across;
         weights<true>(dot_of<P>(p, p), nn, t, along, across);
         between = {M::multiply_add(across, n.x, along * p.x), M::multiply_add(across, n.y, along * p.y),
@@ -70,18 +72,20 @@ struct slerp_op {
     // sin(f) and |n| matters.
     template <bool PIsShorter>
     static void weights(V pp, V nn, V t, V& along, V& across) noexcept {
-        const V floor(C::pole_floor), turn = M::multiply_add(t, V(T(2)), V(T(-1)));
-        pp = larger(floor, pp);
-        nn = larger(floor, nn);
+        const V turn = M::multiply_add(t, V(T(2)), V(T(-1)));
+        // Of a p that is short beside short quaternions the length itself counts.
+        pp = larger(V(PIsShorter ? C::smallest_normal : C::pole_floor), pp);
+        nn = larger(V(C::pole_floor), nn);
         if constexpr (P == reproducible_index) {
             const V p = square_root_of(pp), n = square_root_of(nn);
-            sincos_of<P>(turn * half_angle<PIsShorter>(PIsShorter ? quotient(p, n) : quotient(n, p)), across,
-                         along);
+            sincos_of<P, true>(turn * half_angle<PIsShorter>(PIsShorter ? quotient(p, n) : quotient(n, p)),
+                               across, along);
             along = quotient(along, p);
             across = quotient(across, n);
         } else {
             const V p = M::reciprocal_root(pp), n = M::reciprocal_root(nn);
-            sincos_of<P>(turn * half_angle<PIsShorter>(PIsShorter ? pp * p * n : nn * n * p), across, along);
+            sincos_of<P, true>(turn * half_angle<PIsShorter>(PIsShorter ? pp * p * n : nn * n * p), across,
+                               along);
             along = along * p;
             across = across * n;
         }

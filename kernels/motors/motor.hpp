@@ -3,6 +3,7 @@
 
 // Motors in registers, and the operations of their algebra. Streams of a motor: x y z w dx dy dz dw.
 
+#include "kernels/loops/streams.hpp"
 #include "kernels/quat.hpp"
 #include "kernels/swing_twist/decompose.hpp"
 #include "kernels/vector3.hpp"
@@ -73,8 +74,8 @@ inline void translation_of(const motor<V>& m, V* t) noexcept {
 // Streams in: a, b. Out: a b.
 template <precision_index P, class V>
 struct motor_multiply_op {
-    static constexpr int inputs = 16, quaternions_in = 0;
-    static constexpr int outputs = 8, quaternions_out = 0;
+    using reads = streams<8, 8>;
+    using writes = streams<8>;
 
     explicit motor_multiply_op(const scalar_of<V>*) noexcept {}
 
@@ -88,8 +89,8 @@ struct motor_multiply_op {
 // Streams in: a motor. Out: the same.
 template <class V>
 struct motor_conjugate_op {
-    static constexpr int inputs = 8, quaternions_in = 0;
-    static constexpr int outputs = 8, quaternions_out = 0;
+    using reads = streams<8>;
+    using writes = streams<8>;
 
     explicit motor_conjugate_op(const scalar_of<V>*) noexcept {}
 
@@ -104,8 +105,8 @@ template <precision_index P, class V>
 struct motor_normalize_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 8, quaternions_in = 0;
-    static constexpr int outputs = 8, quaternions_out = 0;
+    using reads = streams<8>;
+    using writes = streams<8>;
 
     explicit motor_normalize_op(const T*) noexcept {}
 
@@ -132,8 +133,8 @@ template <precision_index P, class V>
 struct from_rotation_translation_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 7, quaternions_in = 1;
-    static constexpr int outputs = 8, quaternions_out = 0;
+    using reads = streams<4, 3>;
+    using writes = streams<8>;
 
     explicit from_rotation_translation_op(const T*) noexcept {}
 
@@ -151,8 +152,8 @@ struct from_rotation_translation_op {
 template <precision_index P, class V>
 struct to_rotation_translation_op {
     using T = scalar_of<V>;
-    static constexpr int inputs = 8, quaternions_in = 0;
-    static constexpr int outputs = 7, quaternions_out = 1;
+    using reads = streams<8>;
+    using writes = streams<4, 3>;
 
     explicit to_rotation_translation_op(const T*) noexcept {}
 
@@ -173,8 +174,8 @@ struct to_rotation_translation_op {
 template <precision_index P, class V>
 struct motor_transform_op {
     using M = arithmetic<P>;
-    static constexpr int inputs = 11, quaternions_in = 0;
-    static constexpr int outputs = 3, quaternions_out = 0;
+    using reads = streams<8, 3>;
+    using writes = streams<3>;
 
     explicit motor_transform_op(const scalar_of<V>*) noexcept {}
 
@@ -199,8 +200,8 @@ struct motor_transform_op {
 template <precision_index P, class V>
 struct motor_blend_op {
     using M = arithmetic<P>;
-    static constexpr int inputs = 21, quaternions_in = 0;
-    static constexpr int outputs = 8, quaternions_out = 0;
+    using reads = streams<8, 4, 8, 1>;
+    using writes = streams<8>;
 
     explicit motor_blend_op(const scalar_of<V>*) noexcept {}
 
@@ -219,18 +220,18 @@ struct motor_blend_op {
 };
 
 // Streams in: those of decompose, a motor. Out: those of decompose, the translation x y z.
-template <precision_index P, class Form, twist_sign Sign, class V>
-struct motor_decompose_op : decompose_op<Form, Sign, V> {
-    using rotation = decompose_op<Form, Sign, V>;
-    static constexpr int inputs = Form::inputs + 8;
-    static constexpr int outputs = 11;
+template <precision_index P, class Form, class V>
+struct motor_decompose_op : decompose_op<Form, false, V> {
+    using rotation = decompose_op<Form, false, V>;
+    using reads = joined_streams<typename Form::reads, streams<8>>;
+    using writes = streams<4, 4, 3>;
 
     using rotation::rotation;
 
     void operator()(const V* in, V* out) const noexcept {
         rotation::operator()(in, out);
         V t[3];
-        translation_of<P>(motor_from(in + Form::inputs), t);
+        translation_of<P>(motor_from(in + Form::reads::count), t);
         // An axis that is not finite, too.
         const V zero(scalar_of<V>(0)), poison = zero * out[3] + zero * t[0];
         put(poisoned(motor_from(out), poison), out);
@@ -244,8 +245,8 @@ struct motor_decompose_op : decompose_op<Form, Sign, V> {
 template <precision_index P, class V>
 struct motor_compose_op {
     using M = arithmetic<P>;
-    static constexpr int inputs = 11, quaternions_in = 2;
-    static constexpr int outputs = 8, quaternions_out = 0;
+    using reads = streams<4, 4, 3>;
+    using writes = streams<8>;
 
     explicit motor_compose_op(const scalar_of<V>*) noexcept {}
 

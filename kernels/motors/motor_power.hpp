@@ -7,6 +7,7 @@
 #include "kernels/angles/sincos.hpp"
 #include "kernels/exponentials/polar_form.hpp"
 #include "kernels/interpolation/interpolation.hpp"
+#include "kernels/loops/streams.hpp"
 #include "kernels/motors/motor.hpp"
 
 namespace swivel {
@@ -51,6 +52,7 @@ inline screw<V> screw_of(const motor<V>& a) noexcept {
     using M = arithmetic<P>;
     screw<V> s;
     const vector3<V> v = vector_part(a.r), e = vector_part(a.d);
+    V m_or_zero;
     if constexpr (MinusOne) {
         const mask_of<V> pole = is_minus_one(a.r);
         const V r[4] = {select(pole, e.x, v.x), select(pole, e.y, v.y), select(pole, e.z, v.z), a.r.w};
@@ -58,17 +60,20 @@ inline screw<V> screw_of(const motor<V>& a) noexcept {
         V u[3];
         q.along(V(T(1)), u);
         s.u = {u[0], u[1], u[2]};
-        s.m = select(pole, V(T(0)), q.m);
+        s.m = m_or_zero = select(pole, V(T(0)), q.m);
         s.w = q.w;
     } else {
         // Shorter than 1 near r = 1, where it is multiplied by what is smaller still.
-        const root_divisor<P, V> length(larger(V(constants<T>::pole_floor), dot_of<P>(v, v)));
+        const V floor(constants<T>::pole_floor), squared = dot_of<P>(v, v);
+        const root_divisor<P, V> length(larger(floor, squared));
         s.u = {length.divide(v.x), length.divide(v.y), length.divide(v.z)};
         s.m = length.root();
+        // What the floor is alone goes into no product, which would be subnormal.
+        m_or_zero = select(squared < floor, V(T(0)), s.m);
         s.w = a.r.w;
     }
     s.angle = atan2_above<P>(s.m, s.w);
-    s.p = M::negate_multiply_add(s.m, a.d.w, s.w * dot_of<P>(s.u, e));
+    s.p = M::negate_multiply_add(m_or_zero, a.d.w, s.w * dot_of<P>(s.u, e));
     const V back = s.p * s.w;
     s.across = {M::negate_multiply_add(back, s.u.x, e.x), M::negate_multiply_add(back, s.u.y, e.y),
                 M::negate_multiply_add(back, s.u.z, e.z)};
@@ -83,7 +88,7 @@ inline motor<V> power_of(const screw<V>& s, V t) noexcept {
     const V zero(T(0)), product = t * s.angle;
     const mask_of<V> beyond = magnitude(product) > V(constants<T>::largest_angle);
     V sine, cosine;
-    sincos_within<P>(select(beyond, zero * t, product), sine, cosine);
+    sincos_within<P, true>(select(beyond, zero * t, product), sine, cosine);
     const V ratio = s.over_m(sine, t), along = t * s.p, on_u = along * cosine;
     return {
         {sine * s.u.x, sine * s.u.y, sine * s.u.z, cosine},
@@ -96,8 +101,8 @@ template <precision_index P, class V>
 struct motor_square_root_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 8, quaternions_in = 0;
-    static constexpr int outputs = 8, quaternions_out = 0;
+    using reads = streams<8>;
+    using writes = streams<8>;
 
     explicit motor_square_root_op(const T*) noexcept {}
 
@@ -126,8 +131,8 @@ template <precision_index P, class V>
 struct motor_log_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 8, quaternions_in = 0;
-    static constexpr int outputs = 6, quaternions_out = 0;
+    using reads = streams<8>;
+    using writes = streams<3, 3>;
 
     explicit motor_log_op(const T*) noexcept {}
 
@@ -148,8 +153,8 @@ template <precision_index P, class V>
 struct motor_exp_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 6, quaternions_in = 0;
-    static constexpr int outputs = 8, quaternions_out = 0;
+    using reads = streams<3, 3>;
+    using writes = streams<8>;
 
     explicit motor_exp_op(const T*) noexcept {}
 
@@ -166,7 +171,7 @@ struct motor_exp_op {
         // Below the floor the sine is the angle, whatever that is.
         const root_divisor<P, V> angle(larger(V(constants<T>::pole_floor), squared));
         V sine, cosine;
-        sincos_within<P>(angle.root(), sine, cosine);
+        sincos_within<P, true>(angle.root(), sine, cosine);
         const V shape = angle.divide(sine);
         const vector3<V> u{angle.divide(b.x), angle.divide(b.y), angle.divide(b.z)};
         const V along = dot_of<P>(u, n), on_u = along * (cosine - shape);
@@ -183,8 +188,8 @@ struct motor_exp_op {
 template <precision_index P, class V>
 struct motor_power_op {
     using T = scalar_of<V>;
-    static constexpr int inputs = 9, quaternions_in = 0;
-    static constexpr int outputs = 8, quaternions_out = 0;
+    using reads = streams<8, 1>;
+    using writes = streams<8>;
 
     explicit motor_power_op(const T*) noexcept {}
 
@@ -206,8 +211,8 @@ struct motor_power_op {
 template <precision_index P, bool LongWay, class V>
 struct sclerp_op {
     using T = scalar_of<V>;
-    static constexpr int inputs = 17, quaternions_in = 0;
-    static constexpr int outputs = 8, quaternions_out = 0;
+    using reads = streams<8, 8, 1>;
+    using writes = streams<8>;
 
     explicit sclerp_op(const T*) noexcept {}
 

@@ -38,6 +38,7 @@ inline constexpr bool takes_twins = false;
 
 #if defined(__AVX512F__)
 
+using architecture = xsimd::avx512bw;
 // xsimd 8.1.0 does not fuse here, and has no rsqrt.
 inline __m512 fused(__m512 a, __m512 b, __m512 c) noexcept { return _mm512_fmadd_ps(a, b, c); }
 inline __m512d fused(__m512d a, __m512d b, __m512d c) noexcept { return _mm512_fmadd_pd(a, b, c); }
@@ -54,6 +55,7 @@ inline constexpr T newton_one = 1;
 #elif defined(__SSE2__)
 
 #if defined(__AVX2__)
+using architecture = xsimd::fma3<xsimd::avx2>;
 inline __m256 fused(__m256 a, __m256 b, __m256 c) noexcept { return _mm256_fmadd_ps(a, b, c); }
 inline __m256d fused(__m256d a, __m256d b, __m256d c) noexcept { return _mm256_fmadd_pd(a, b, c); }
 inline __m256 fused_negative(__m256 a, __m256 b, __m256 c) noexcept { return _mm256_fnmadd_ps(a, b, c); }
@@ -61,6 +63,7 @@ inline __m256d fused_negative(__m256d a, __m256d b, __m256d c) noexcept { return
 inline __m256 rsqrt_estimate(__m256 t) noexcept { return _mm256_rsqrt_ps(t); }
 inline constexpr bool has_fma = true;
 #else
+using architecture = xsimd::sse2;
 inline __m128 rsqrt_estimate(__m128 t) noexcept { return _mm_rsqrt_ps(t); }
 inline constexpr bool has_fma = false;
 #endif
@@ -75,6 +78,7 @@ inline constexpr T newton_one = sizeof(T) == 4 ? T(1 + 0x1p-23) : T(1);
 
 #elif defined(__aarch64__)
 
+using architecture = xsimd::neon64;
 inline float32x4_t fused(float32x4_t a, float32x4_t b, float32x4_t c) noexcept { return vfmaq_f32(c, a, b); }
 inline float64x2_t fused(float64x2_t a, float64x2_t b, float64x2_t c) noexcept { return vfmaq_f64(c, a, b); }
 inline float32x4_t fused_negative(float32x4_t a, float32x4_t b, float32x4_t c) noexcept {
@@ -362,36 +366,37 @@ inline __m256i first_lanes_64(std::size_t count) noexcept {
 }
 #endif
 
-// The first `count` lanes, of which there are some but not all, from memory; 1 in the others, a value that
-// takes the regular way through every kernel.
+// The first `count` lanes, of which there are some but not all, from memory; the first of them in the
+// others, a value like the rest: a number of no meaning might take a slow way through a kernel.
 template <class V>
+requires requires { typename V::arch_type; }
 inline V load_first(const scalar_of<V>* from, std::size_t count) noexcept {
     using T = scalar_of<V>;
 #if defined(__AVX512F__)
     if constexpr (sizeof(T) == 4)
-        return V(_mm512_mask_loadu_ps(V(T(1)), static_cast<__mmask16>((1U << count) - 1U), from));
+        return V(_mm512_mask_loadu_ps(V(*from), static_cast<__mmask16>((1U << count) - 1U), from));
     else
-        return V(_mm512_mask_loadu_pd(V(T(1)), static_cast<__mmask8>((1U << count) - 1U), from));
+        return V(_mm512_mask_loadu_pd(V(*from), static_cast<__mmask8>((1U << count) - 1U), from));
 #elif defined(__AVX2__)
     if constexpr (sizeof(T) == 4) {
-        const __m256i first = first_lanes_32(count);
-        return V(_mm256_blendv_ps(V(T(1)), _mm256_maskload_ps(from, first), _mm256_castsi256_ps(first)));
+        const __m256i lanes = first_lanes_32(count);
+        return V(_mm256_blendv_ps(V(*from), _mm256_maskload_ps(from, lanes), _mm256_castsi256_ps(lanes)));
     } else {
-        const __m256i first = first_lanes_64(count);
-        return V(_mm256_blendv_pd(V(T(1)), _mm256_maskload_pd(from, first), _mm256_castsi256_pd(first)));
+        const __m256i lanes = first_lanes_64(count);
+        return V(_mm256_blendv_pd(V(*from), _mm256_maskload_pd(from, lanes), _mm256_castsi256_pd(lanes)));
     }
 #elif defined(__SSE2__)
-    const V one(T(1));
+    const V first(*from);
     if constexpr (sizeof(T) == 8) {
-        return V(_mm_loadl_pd(one, from));
+        return V(_mm_loadl_pd(first, from));
     } else {
-        if (count == 1) return V(_mm_move_ss(one, _mm_load_ss(from)));
-        const __m128 two = _mm_loadl_pi(one, reinterpret_cast<const __m64*>(from));
-        return count == 2 ? V(two) : V(_mm_movelh_ps(two, _mm_move_ss(one, _mm_load_ss(from + 2))));
+        if (count == 1) return V(_mm_move_ss(first, _mm_load_ss(from)));
+        const __m128 two = _mm_loadl_pi(first, reinterpret_cast<const __m64*>(from));
+        return count == 2 ? V(two) : V(_mm_movelh_ps(two, _mm_move_ss(first, _mm_load_ss(from + 2))));
     }
 #else
     alignas(V) T block[V::size];
-    V(T(1)).store_aligned(block);
+    V(*from).store_aligned(block);
     for (std::size_t i = 0; i < count; ++i) block[i] = from[i];
     return V::load_aligned(block);
 #endif
@@ -446,23 +451,34 @@ class quaternion_shuffle {
         return _mm512_shuffle_f64x2(a, b, Lanes);
     }
 
+    // Lane for lane, from those of one index each.
+    static __m512i lanes_of(const index (&each)[V::size]) noexcept { return _mm512_loadu_si512(each); }
+    static __m512i sum(__m512i a, __m512i b) noexcept {
+        return sizeof(T) == 4 ? _mm512_add_epi32(a, b) : _mm512_add_epi64(a, b);
+    }
+    // a in the lower half, b in the upper one.
+    static __m512i halves_of(std::ptrdiff_t a, std::ptrdiff_t b) noexcept {
+        if constexpr (sizeof(T) == 4)
+            return _mm512_mask_set1_epi32(_mm512_set1_epi32(static_cast<int>(a)), 0xff00,
+                                          static_cast<int>(b));
+        else
+            return _mm512_mask_set1_epi64(_mm512_set1_epi64(a), 0xf0, b);
+    }
+
     __m512i first_two_, last_two_, low_, high_;
 
 public:
-    // place[m] is the register of the component that is in place m of a quaternion in memory.
-    void set(const int* place) noexcept {
-        alignas(64) index two[2][V::size], quaternions[2][V::size];
-        for (int m = 0; m < 4; ++m)
-            for (int e = 0; e < half; ++e) two[place[m] / 2][place[m] % 2 * half + e] = 4 * e + m;
+    // slot[k] is the place in a quaternion in memory of the component in register k.
+    void set(const std::ptrdiff_t* slot) noexcept {
+        alignas(64) index every_fourth[V::size], quaternion[V::size];
+        for (int e = 0; e < half; ++e) every_fourth[e] = every_fourth[half + e] = 4 * e;
         for (int e = 0; e < quarter; ++e)
-            for (int m = 0; m < 4; ++m) {
-                quaternions[0][4 * e + m] = half * place[m] + e;
-                quaternions[1][4 * e + m] = half * place[m] + quarter + e;
-            }
-        first_two_ = _mm512_load_si512(two[0]);
-        last_two_ = _mm512_load_si512(two[1]);
-        low_ = _mm512_load_si512(quaternions[0]);
-        high_ = _mm512_load_si512(quaternions[1]);
+            for (int k = 0; k < 4; ++k) quaternion[4 * e + slot[k]] = static_cast<index>(half) * k + e;
+        const __m512i from = lanes_of(every_fourth);
+        first_two_ = sum(from, halves_of(slot[0], slot[1]));
+        last_two_ = sum(from, halves_of(slot[2], slot[3]));
+        low_ = lanes_of(quaternion);
+        high_ = sum(low_, halves_of(quarter, quarter));
     }
 
     void load(const T* from, V* c) const noexcept {
@@ -613,12 +629,12 @@ class quaternion_shuffle {
     bool as_it_is_;
 
 public:
-    // place[m] is the register of the component that is in place m of a quaternion in memory.
-    void set(const int* place) noexcept {
+    // slot[k] is the place in a quaternion in memory of the component in register k.
+    void set(const std::ptrdiff_t* slot) noexcept {
         as_it_is_ = true;
-        for (int m = 0; m < 4; ++m) {
-            place_[m] = place[m];
-            as_it_is_ = as_it_is_ && place[m] == m;
+        for (int k = 0; k < 4; ++k) {
+            place_[slot[k]] = k;
+            as_it_is_ = as_it_is_ && slot[k] == k;
         }
     }
 

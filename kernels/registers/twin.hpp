@@ -26,6 +26,7 @@ template <class V>
 struct twin {
     using value_type = scalar_of<V>;
     using batch_bool_type = twin_mask<mask_of<V>>;
+    using half = V;
     static constexpr std::size_t size = 2 * V::size;
 
     V first, second;
@@ -76,6 +77,23 @@ struct twin {
         return {a.first == b.first, a.second == b.second};
     }
 };
+
+// As for one register (ops.hpp); `count` may end in either of the two.
+template <class V>
+requires requires { typename V::half; }
+inline V load_first(const scalar_of<V>* from, std::size_t count) noexcept {
+    using half = typename V::half;
+    if (count < half::size) return {load_first<half>(from, count), half(*from)};
+    if (count == half::size) return {half::load_unaligned(from), half(*from)};
+    return {half::load_unaligned(from), load_first<half>(from + half::size, count - half::size)};
+}
+
+template <class V>
+inline void store_first(const twin<V>& a, scalar_of<V>* to, std::size_t count) noexcept {
+    if (count < V::size) return store_first(a.first, to, count);
+    a.first.store_unaligned(to);
+    if (count > V::size) store_first(a.second, to + V::size, count - V::size);
+}
 
 template <class M, class V>
 inline twin<V> select(const twin_mask<M>& m, const twin<V>& a, const twin<V>& b) noexcept {

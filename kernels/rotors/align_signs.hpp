@@ -1,6 +1,7 @@
 #ifndef SWIVEL_KERNELS_ROTORS_ALIGN_SIGNS_HPP
 #define SWIVEL_KERNELS_ROTORS_ALIGN_SIGNS_HPP
 
+#include "kernels/loops/streams.hpp"
 #include "kernels/quat.hpp"
 
 namespace swivel {
@@ -9,8 +10,8 @@ namespace {
 // Streams in: q x y z w, its neighbour x y z w. Out: q or -q.
 template <precision_index P, class V>
 struct align_signs_op {
-    static constexpr int inputs = 8, quaternions_in = 2;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<4, 4>;
+    using writes = streams<4>;
 
     explicit align_signs_op(const scalar_of<V>*) noexcept {}
 

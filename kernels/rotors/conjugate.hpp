@@ -1,7 +1,8 @@
 #ifndef SWIVEL_KERNELS_ROTORS_CONJUGATE_HPP
 #define SWIVEL_KERNELS_ROTORS_CONJUGATE_HPP
 
-#include "kernels/kernel_table.hpp"
+#include "kernels/kernel.hpp"
+#include "kernels/loops/streams.hpp"
 #include "kernels/registers/ops.hpp"
 
 namespace swivel {
@@ -10,8 +11,8 @@ namespace {
 // Streams in: x y z w. Out: the same, the signs of x y z exchanged.
 template <class V>
 struct conjugate_op {
-    static constexpr int inputs = 4, quaternions_in = 1;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<4>;
+    using writes = streams<4>;
 
     explicit conjugate_op(const scalar_of<V>*) noexcept {}
 

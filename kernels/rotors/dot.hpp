@@ -1,6 +1,7 @@
 #ifndef SWIVEL_KERNELS_ROTORS_DOT_HPP
 #define SWIVEL_KERNELS_ROTORS_DOT_HPP
 
+#include "kernels/loops/streams.hpp"
 #include "kernels/quat.hpp"
 
 namespace swivel {
@@ -9,8 +10,8 @@ namespace {
 // Streams in: a x y z w, b x y z w. Out: a.b, NaN where anything is NaN or infinite.
 template <precision_index P, class V>
 struct dot_op {
-    static constexpr int inputs = 8, quaternions_in = 2;
-    static constexpr int outputs = 1, quaternions_out = 0;
+    using reads = streams<4, 4>;
+    using writes = streams<1>;
 
     explicit dot_op(const scalar_of<V>*) noexcept {}
 

@@ -2,7 +2,8 @@
 #define SWIVEL_KERNELS_ROTORS_NORMALIZE_HPP
 
 #include "kernels/constants.hpp"
-#include "kernels/kernel_table.hpp"
+#include "kernels/kernel.hpp"
+#include "kernels/loops/streams.hpp"
 #include "kernels/registers/ops.hpp"
 
 namespace swivel {
@@ -47,8 +48,8 @@ inline mask_of<V> to_unit_length(V& first, Vs&... others) noexcept {
 // Streams in: x y z w. Out: the same.
 template <precision_index P, class V>
 struct normalize_op {
-    static constexpr int inputs = 4, quaternions_in = 1;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = streams<4>;
+    using writes = streams<4>;
 
     explicit normalize_op(const scalar_of<V>*) noexcept {}
 

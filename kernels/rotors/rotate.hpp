@@ -1,7 +1,8 @@
 #ifndef SWIVEL_KERNELS_ROTORS_ROTATE_HPP
 #define SWIVEL_KERNELS_ROTORS_ROTATE_HPP
 
-#include "kernels/kernel_table.hpp"
+#include "kernels/kernel.hpp"
+#include "kernels/loops/streams.hpp"
 #include "kernels/registers/ops.hpp"
 
 namespace swivel {
@@ -30,8 +31,8 @@ inline void rotated(V x, V y, V z, V w, const V* v, V* out) noexcept {
 // Streams in: q x y z w, v x y z. Out: x y z.
 template <precision_index P, class V>
 struct rotate_op {
-    static constexpr int inputs = 7, quaternions_in = 1;
-    static constexpr int outputs = 3, quaternions_out = 0;
+    using reads = streams<4, 3>;
+    using writes = streams<3>;
 
     explicit rotate_op(const scalar_of<V>*) noexcept {}
 
@@ -43,8 +44,8 @@ struct rotate_op {
 // Streams in: v x y z. Uniform: q x y z w. Out: x y z.
 template <precision_index P, class V>
 struct rotate_by_one_op {
-    static constexpr int inputs = 3, quaternions_in = 0;
-    static constexpr int outputs = 3, quaternions_out = 0;
+    using reads = streams<3>;
+    using writes = streams<3>;
 
     V x, y, z, w;
 

@@ -9,6 +9,7 @@
 // the pointers. The same way one coordinate form serves x, y and z, which are cyclic names (B, C; A) for one
 // another.
 
+#include "kernels/loops/streams.hpp"
 #include "kernels/rotors/normalize.hpp"
 
 namespace swivel {
@@ -46,7 +47,7 @@ template <precision_index P, class V>
 struct coordinate_form {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 4, quaternions_in = 1;
+    using reads = streams<4>;
 
     struct element {
         V b, c, a, w;
@@ -155,7 +156,7 @@ struct vector_form {
 template <precision_index P, class V>
 struct uniform_form : vector_form<P, V> {
     using base = vector_form<P, V>;
-    static constexpr int inputs = 4, quaternions_in = 1;
+    using reads = streams<4>;
 
     V ax, ay, az, excess;
 
@@ -178,7 +179,7 @@ struct per_element_form : vector_form<P, V> {
     using base = vector_form<P, V>;
     using T = scalar_of<V>;
     using M = arithmetic<P>;
-    static constexpr int inputs = 7, quaternions_in = 1;
+    using reads = streams<4, 3>;
 
     explicit per_element_form(const T* uniform) noexcept : base{V(uniform[0])} {}
 
@@ -192,6 +193,24 @@ struct per_element_form : vector_form<P, V> {
         return {x, y, z};
     }
 };
+
+// The form of an index, in the precision of another.
+template <int Form, int P, class V>
+struct chosen_form;
+template <int P, class V>
+struct chosen_form<coordinate_index, P, V> {
+    using type = coordinate_form<precision_index(P), V>;
+};
+template <int P, class V>
+struct chosen_form<uniform_index, P, V> {
+    using type = uniform_form<precision_index(P), V>;
+};
+template <int P, class V>
+struct chosen_form<per_element_index, P, V> {
+    using type = per_element_form<precision_index(P), V>;
+};
+template <int Form, int P, class V>
+using axis_form = typename chosen_form<Form, P, V>::type;
 
 }  // namespace
 }  // namespace swivel

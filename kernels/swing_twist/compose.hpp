@@ -1,6 +1,7 @@
 #ifndef SWIVEL_KERNELS_SWING_TWIST_COMPOSE_HPP
 #define SWIVEL_KERNELS_SWING_TWIST_COMPOSE_HPP
 
+#include "kernels/loops/streams.hpp"
 #include "kernels/rotors/multiply.hpp"
 
 namespace swivel {
@@ -10,8 +11,8 @@ namespace {
 // y z w.
 template <precision_index P, bool Signs, class V>
 struct compose_op {
-    static constexpr int inputs = Signs ? 9 : 8, quaternions_in = 2;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = std::conditional_t<Signs, streams<4, 4, 1>, streams<4, 4>>;
+    using writes = streams<4>;
 
     explicit compose_op(const scalar_of<V>*) noexcept {}
 
@@ -28,8 +29,8 @@ struct compose_op {
 template <precision_index P, bool Signs, class V>
 struct compose_compact_op {
     using M = arithmetic<P>;
-    static constexpr int inputs = Signs ? 6 : 5, quaternions_in = 0;
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using reads = std::conditional_t<Signs, streams<5, 1>, streams<5>>;
+    using writes = streams<4>;
 
     explicit compose_compact_op(const scalar_of<V>*) noexcept {}
 

@@ -1,6 +1,7 @@
 #ifndef SWIVEL_KERNELS_SWING_TWIST_SWING_HPP
 #define SWIVEL_KERNELS_SWING_TWIST_SWING_HPP
 
+#include "kernels/loops/streams.hpp"
 #include "kernels/swing_twist/axis_form.hpp"
 
 namespace swivel {
@@ -9,7 +10,7 @@ namespace {
 // Streams in: those of the form. Out: four, in the order of the form.
 template <class Form, class V>
 struct swing_op : Form {
-    static constexpr int outputs = 4, quaternions_out = 1;
+    using writes = streams<4>;
 
     using Form::Form;
 

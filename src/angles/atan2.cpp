@@ -1,6 +1,7 @@
 #include "swivel/atan2.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/angles/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -9,9 +10,11 @@ namespace {
 template <class T>
 status any_type(const scalar_view<const T>& y, const scalar_view<const T>& x, const scalar_view<T>& radians,
                 const options& o) noexcept {
-    return run(
-        active_operations<T>().atan2[index_of(o.accuracy)], [&](batch<T>&) { return check(o); },
-        std::tuple(group_of(y), group_of(x)), std::tuple(group_of(radians)));
+    call<T> c(y.size, o);
+    c.read(y);
+    c.read(x);
+    c.write(radians);
+    return c.template run<atan2_kernels>(index_of(o.accuracy));
 }
 
 }  // namespace

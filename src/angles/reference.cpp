@@ -12,24 +12,20 @@ namespace {
 template <class T>
 status sincos_all(const scalar_view<const T>& radians, const scalar_view<T>& sine,
                   const scalar_view<T>& cosine, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(radians)),
-                       std::tuple(group_of(sine), group_of(cosine)),
-                       [&](std::size_t i) {
-                           const sine_cosine<T> h = sincos_of(read(radians, i));
-                           write(sine, i, h.sine);
-                           write(cosine, i, h.cosine);
-                       });
+    return for_each<T>(o, std::tuple(radians), std::tuple(sine, cosine), [&](std::size_t i) {
+        const sine_cosine<T> h = sincos_of(read(radians, i));
+        write(sine, i, h.sine);
+        write(cosine, i, h.cosine);
+    });
 }
 
 template <class T>
 status atan2_all(const scalar_view<const T>& y, const scalar_view<const T>& x, const scalar_view<T>& radians,
                  const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(y), group_of(x)),
-                       std::tuple(group_of(radians)),
-                       [&](std::size_t i) {
-                           const T poison = T(0) * read(y, i) + T(0) * read(x, i);
-                           write(radians, i, poison == 0 ? atan2_of(read(y, i), read(x, i)) : poison);
-                       });
+    return for_each<T>(o, std::tuple(y, x), std::tuple(radians), [&](std::size_t i) {
+        const T poison = T(0) * read(y, i) + T(0) * read(x, i);
+        write(radians, i, poison == 0 ? atan2_of(read(y, i), read(x, i)) : poison);
+    });
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "swivel/sincos.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/angles/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -9,9 +10,11 @@ namespace {
 template <class T>
 status any_type(const scalar_view<const T>& radians, const scalar_view<T>& sine, const scalar_view<T>& cosine,
                 const options& o) noexcept {
-    return run(
-        active_operations<T>().sincos[index_of(o.accuracy)], [&](batch<T>&) { return check(o); },
-        std::tuple(group_of(radians)), std::tuple(group_of(sine), group_of(cosine)));
+    call<T> c(radians.size, o);
+    c.read(radians);
+    c.write(sine);
+    c.write(cosine);
+    return c.template run<sincos_kernels>(index_of(o.accuracy));
 }
 
 }  // namespace

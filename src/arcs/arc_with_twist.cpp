@@ -1,6 +1,7 @@
 #include "swivel/arc_with_twist.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/arcs/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -9,10 +10,12 @@ namespace {
 template <class T>
 status any_type(const vec3_view<const T>& v, const vec3_view<const T>& w, const parameter<T>& radians,
                 const quat_view<T>& out, const options& o) noexcept {
-    return run(
-        active_operations<T>().arc_with_twist[o.order == product::swing_twist][index_of(o.accuracy)],
-        [&](batch<T>&) { return check(o); }, std::tuple(group_of(v), group_of(w), group_of(radians, v.size)),
-        std::tuple(group_of(out)));
+    call<T> c(v.size, o);
+    c.read(v);
+    c.read(w);
+    c.read(radians);
+    c.write(out);
+    return c.template run<arc_with_twist_kernels>(o.order == product::swing_twist, index_of(o.accuracy));
 }
 
 }  // namespace

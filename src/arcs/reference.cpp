@@ -63,20 +63,16 @@ quat<T> arc_with_twist_of(const vec3<T>& v, const vec3<T>& w, T radians, product
 template <class T>
 status shortest_arc_all(const vec3_view<const T>& v, const vec3_view<const T>& w, const quat_view<T>& out,
                         const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(v), group_of(w)),
-                       std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(v, w), std::tuple(out),
                        [&](std::size_t i) { write(out, i, shortest_arc_of(read(v, i), read(w, i))); });
 }
 
 template <class T>
 status arc_with_twist_all(const vec3_view<const T>& v, const vec3_view<const T>& w,
                           const parameter<T>& radians, const quat_view<T>& out, const options& o) {
-    return for_each<T>(
-        [&] { return check(o); }, std::tuple(group_of(v), group_of(w), group_of(radians, v.size)),
-        std::tuple(group_of(out)),
-        [&](std::size_t i) {
-            write(out, i, arc_with_twist_of(read(v, i), read(w, i), read(radians, i), o.order));
-        });
+    return for_each<T>(o, std::tuple(v, w, radians), std::tuple(out), [&](std::size_t i) {
+        write(out, i, arc_with_twist_of(read(v, i), read(w, i), read(radians, i), o.order));
+    });
 }
 
 }  // namespace

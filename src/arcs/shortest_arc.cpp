@@ -1,6 +1,7 @@
 #include "swivel/shortest_arc.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/arcs/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -9,9 +10,11 @@ namespace {
 template <class T>
 status any_type(const vec3_view<const T>& v, const vec3_view<const T>& w, const quat_view<T>& out,
                 const options& o) noexcept {
-    return run(
-        active_operations<T>().shortest_arc[index_of(o.accuracy)], [&](batch<T>&) { return check(o); },
-        std::tuple(group_of(v), group_of(w)), std::tuple(group_of(out)));
+    call<T> c(v.size, o);
+    c.read(v);
+    c.read(w);
+    c.write(out);
+    return c.template run<shortest_arc_kernels>(index_of(o.accuracy));
 }
 
 }  // namespace

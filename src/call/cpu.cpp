@@ -11,11 +11,6 @@ namespace swivel {
 
 #if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
 
-bool cpu_has_sse4_1() noexcept {
-    __builtin_cpu_init();
-    return __builtin_cpu_supports("sse4.1");
-}
-
 bool cpu_has_avx2_fma() noexcept {
     __builtin_cpu_init();
     return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
@@ -52,8 +47,6 @@ bool system_saves(unsigned mask) noexcept {
 
 }  // namespace
 
-bool cpu_has_sse4_1() noexcept { return cpuid(0).a >= 1 && has(cpuid(1).c, 19); }
-
 bool cpu_has_avx2_fma() noexcept {
     if (cpuid(0).a < 7 || !system_saves(0x06)) return false;
     return has(cpuid(1).c, 12) && has(cpuid(7).b, 5);
@@ -67,7 +60,6 @@ bool cpu_has_avx512() noexcept {
 
 #else
 
-bool cpu_has_sse4_1() noexcept { return false; }
 bool cpu_has_avx2_fma() noexcept { return false; }
 bool cpu_has_avx512() noexcept { return false; }
 

@@ -4,7 +4,6 @@
 namespace swivel {
 
 // What processor and operating system together can run.
-bool cpu_has_sse4_1() noexcept;
 bool cpu_has_avx2_fma() noexcept;
 bool cpu_has_avx512() noexcept;  // F, CD, DQ, BW, VL and FMA
 

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "src/call/active_kernels.hpp"
+#include "src/call/active.hpp"
 #include "src/call/cpu.hpp"
 
 namespace swivel {
@@ -15,95 +15,73 @@ bool always() noexcept { return true; }
 struct row {
     isa which;
     const char* name;
-    const kernel_table* table;  // null where the build has none
     bool (*usable)() noexcept;
 };
 
-#ifdef SWIVEL_HAS_SSE2
-constexpr const kernel_table* sse2_table = &sse2_kernels;
-#else
-constexpr const kernel_table* sse2_table = nullptr;
-#endif
-#ifdef SWIVEL_HAS_SSE4
-constexpr const kernel_table* sse4_table = &sse4_kernels;
-#else
-constexpr const kernel_table* sse4_table = nullptr;
-#endif
-#ifdef SWIVEL_HAS_AVX2
-constexpr const kernel_table* avx2_table = &avx2_kernels;
-#else
-constexpr const kernel_table* avx2_table = nullptr;
-#endif
-#ifdef SWIVEL_HAS_AVX512
-constexpr const kernel_table* avx512_table = &avx512_kernels;
-#else
-constexpr const kernel_table* avx512_table = nullptr;
-#endif
-#ifdef SWIVEL_HAS_NEON64
-constexpr const kernel_table* neon64_table = &neon64_kernels;
-#else
-constexpr const kernel_table* neon64_table = nullptr;
-#endif
+template <class Isa>
+constexpr row row_of{};
+template <>
+constexpr row row_of<avx512>{isa::avx512, "avx512", cpu_has_avx512};
+template <>
+constexpr row row_of<avx2>{isa::avx2, "avx2", cpu_has_avx2_fma};
+template <>
+constexpr row row_of<sse2>{isa::sse2, "sse2", always};
+template <>
+constexpr row row_of<neon64>{isa::neon64, "neon64", always};
 
-// Best first.
-constexpr row rows[] = {
-    {isa::avx512, "avx512", avx512_table, cpu_has_avx512}, {isa::avx2, "avx2", avx2_table, cpu_has_avx2_fma},
-    {isa::sse4, "sse4", sse4_table, cpu_has_sse4_1},       {isa::sse2, "sse2", sse2_table, always},
-    {isa::neon64, "neon64", neon64_table, always},
+constexpr row known[] = {row_of<avx512>, row_of<avx2>, row_of<sse2>, row_of<neon64>};
+
+// Those of the build, best first, in the order of the tables.
+template <class... Isas>
+struct rows_of;
+template <class... Isas>
+struct rows_of<isa_list<Isas...>> {
+    static constexpr row all[] = {row_of<Isas>...};
 };
+constexpr const auto& compiled = rows_of<compiled_isas>::all;
+constexpr std::uint8_t compiled_count = sizeof compiled / sizeof compiled[0];
 
-const row* find(isa which) noexcept {
-    for (const row& r : rows)
-        if (r.which == which) return &r;
-    return nullptr;
+// The place of the ISA among those of the build, or no_isa.
+std::uint8_t index_of(isa which) noexcept {
+    for (std::uint8_t k = 0; k < compiled_count; ++k)
+        if (compiled[k].which == which) return k;
+    return no_isa;
 }
-
-bool usable(const row& r) noexcept { return r.table != nullptr && r.usable(); }
 
 }  // namespace
 
-constinit std::atomic<const kernel_table*> chosen_kernels{nullptr};
+constinit std::atomic<std::uint8_t> chosen_isa{no_isa};
 
-const kernel_table& choose_kernels() noexcept {
-    const kernel_table* best = nullptr;
+std::uint8_t choose_isa() noexcept {
+    std::uint8_t best = no_isa;
     const char* wanted = std::getenv("SWIVEL_ISA");
-    for (const row& r : rows) {
-        if (!usable(r)) continue;
-        if (best == nullptr) best = r.table;
-        if (wanted != nullptr && std::strcmp(wanted, r.name) == 0) best = r.table;
+    for (std::uint8_t k = 0; k < compiled_count; ++k) {
+        if (!compiled[k].usable()) continue;
+        if (best == no_isa || (wanted != nullptr && std::strcmp(wanted, compiled[k].name) == 0)) best = k;
     }
     // A call of set_active_isa on another thread goes before.
-    const kernel_table* none = nullptr;
-    if (!chosen_kernels.compare_exchange_strong(none, best, std::memory_order_acq_rel)) best = none;
-    return *best;
+    std::uint8_t none = no_isa;
+    return chosen_isa.compare_exchange_strong(none, best, std::memory_order_relaxed) ? best : none;
 }
 
 const char* name(isa which) noexcept {
-    const row* r = find(which);
-    return r != nullptr ? r->name : "unknown";
+    for (const row& r : known)
+        if (r.which == which) return r.name;
+    return "unknown";
 }
 
-bool is_compiled(isa which) noexcept {
-    const row* r = find(which);
-    return r != nullptr && r->table != nullptr;
-}
+bool is_compiled(isa which) noexcept { return index_of(which) != no_isa; }
 
 bool is_usable(isa which) noexcept {
-    const row* r = find(which);
-    return r != nullptr && usable(*r);
+    const std::uint8_t k = index_of(which);
+    return k != no_isa && compiled[k].usable();
 }
 
-isa active_isa() noexcept {
-    const kernel_table* active = &active_kernels();
-    isa which = rows[0].which;
-    for (const row& r : rows)
-        if (r.table == active) which = r.which;
-    return which;
-}
+isa active_isa() noexcept { return compiled[isa_in_use()].which; }
 
 status set_active_isa(isa which) noexcept {
     if (!is_usable(which)) return status::isa_unavailable;
-    chosen_kernels.store(find(which)->table, std::memory_order_release);
+    chosen_isa.store(index_of(which), std::memory_order_relaxed);
     return status::ok;
 }
 

@@ -93,46 +93,44 @@ vec3<T> transformed(const even<T>& r, const vec3<T>& p) {
 template <class T>
 status multiply_all(const conformal_view<const T>& a, const conformal_view<const T>& b,
                     const conformal_view<T>& out, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(a), group_of(b)),
-                       std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(a, b), std::tuple(out),
                        [&](std::size_t i) { write(out, i, product(read(a, i), read(b, i))); });
 }
 
 template <class T>
 status reverse_all(const conformal_view<const T>& c, const conformal_view<T>& out, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(c)), std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(c), std::tuple(out),
                        [&](std::size_t i) { write(out, i, reversed(read(c, i))); });
 }
 
 template <class T>
 status from_motor_all(const motor_view<const T>& m, const conformal_view<T>& out, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(m)), std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(m), std::tuple(out),
                        [&](std::size_t i) { write(out, i, from_motor_of(read(m, i))); });
 }
 
 template <class T>
 status from_rotation_all(const quat_view<const T>& q, const conformal_view<T>& out, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(q)), std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(q), std::tuple(out),
                        [&](std::size_t i) { write(out, i, from_rotation_of(read(q, i))); });
 }
 
 template <class T>
 status from_translation_all(const vec3_view<const T>& t, const conformal_view<T>& out, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(t)), std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(t), std::tuple(out),
                        [&](std::size_t i) { write(out, i, from_translation_of(read(t, i))); });
 }
 
 template <class T>
 status from_dilation_all(const scalar_view<const T>& factor, const conformal_view<T>& out, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(factor)), std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(factor), std::tuple(out),
                        [&](std::size_t i) { write(out, i, from_dilation_of(read(factor, i))); });
 }
 
 template <class T>
 status transform_all(const conformal_view<const T>& r, const vec3_view<const T>& points,
                      const vec3_view<T>& out, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(r), group_of(points)),
-                       std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(r, points), std::tuple(out),
                        [&](std::size_t i) { write(out, i, transformed(read(r, i), read(points, i))); });
 }
 

@@ -72,8 +72,12 @@ struct roots {
 
 template <class T>
 roots<T> roots_of(T sum, T product) {
-    const T root = std::sqrt(larger(sum * sum - T(4) * product, T(0)));
-    const T big = T(0.5) * (std::fabs(sum) + root), other = product / larger(big, constants<T>::pole_floor);
+    const T size = std::fabs(sum);
+    // Its square would be subnormal.
+    const bool tiny = size < constants<T>::root_of_smallest_normal;
+    const T part = tiny ? T(0) : sum, square_root = std::sqrt(larger(part * part - T(4) * product, T(0)));
+    const T root = tiny ? larger(size, square_root) : square_root;
+    const T big = T(0.5) * (size + root), other = product / larger(big, constants<T>::pole_floor);
     if (!(sum >= 0)) return {larger(-other, T(0)), -big};
     return {big, other > big ? big : other};
 }
@@ -115,9 +119,11 @@ halves<T> halves_of(T scalar, const parts<T>& p, const sizes<T>& s) {
     const bool positive = scalar >= 0;
     const T above = positive ? 1 + scalar : (p.four_squared - p.bivector_squared) / less;
     const T share = positive ? T(0) : s.bivector / less;
-    const T n_squared = above * above - p.four_squared, n = std::sqrt(larger(n_squared, T(0)));
+    // Nothing where its square counts for nothing, and would with the noise be subnormal.
+    const T large = std::fabs(above) < constants<T>::root_of_pole_floor ? T(0) : above;
+    const T n_squared = large * large - p.four_squared, n = std::sqrt(larger(n_squared, T(0)));
     const T k_squared = above >= 0 ? above + n : -p.four_squared / (n - above);
-    const T size = std::fabs(above);
+    const T size = std::fabs(large);
     const bool regular = n_squared > noise * ((size + share) * size + s.four) + constants<T>::pole_floor &&
                          k_squared > noise * (positive ? T(0) : s.bivector);
     return {k_squared, n_squared, regular};
@@ -365,72 +371,61 @@ T split_of(const bivector<T>& b, bivector<T>& first, bivector<T>& second) {
 template <class T>
 status square_root_all(const conformal_view<const T>& r, const conformal_view<T>& out,
                        const scalar_view<T>& unique, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(r)),
-                       std::tuple(group_of(out), group_of(unique)),
-                       [&](std::size_t i) {
-                           even<T> root;
-                           write(unique, i, square_root_of(read(r, i), root));
-                           write(out, i, root);
-                       });
+    return for_each<T>(o, std::tuple(r), std::tuple(out, unique), [&](std::size_t i) {
+        even<T> root;
+        write(unique, i, square_root_of(read(r, i), root));
+        write(out, i, root);
+    });
 }
 
 template <class T>
 status exp_all(const bivector_view<const T>& b, const conformal_view<T>& out, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(b)), std::tuple(group_of(out)),
-                       [&](std::size_t i) {
-                           const bivector<T> element = read(b, i);
-                           write(out, i, exp_of(element, zero_or_nan(element)));
-                       });
+    return for_each<T>(o, std::tuple(b), std::tuple(out), [&](std::size_t i) {
+        const bivector<T> element = read(b, i);
+        write(out, i, exp_of(element, zero_or_nan(element)));
+    });
 }
 
 template <class T>
 status log_all(const conformal_view<const T>& r, const bivector_view<T>& out, const scalar_view<T>& unique,
                const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(r)),
-                       std::tuple(group_of(out), group_of(unique)),
-                       [&](std::size_t i) {
-                           bivector<T> l;
-                           write(unique, i, log_of(read(r, i), l));
-                           write(out, i, l);
-                       });
+    return for_each<T>(o, std::tuple(r), std::tuple(out, unique), [&](std::size_t i) {
+        bivector<T> l;
+        write(unique, i, log_of(read(r, i), l));
+        write(out, i, l);
+    });
 }
 
 template <class T>
 status power_all(const conformal_view<const T>& r, const parameter<T>& t, const conformal_view<T>& out,
                  const scalar_view<T>& unique, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(r), group_of(t, r.size)),
-                       std::tuple(group_of(out), group_of(unique)),
-                       [&](std::size_t i) {
-                           even<T> p;
-                           write(unique, i, power_of(read(r, i), read(t, i), p));
-                           write(out, i, p);
-                       });
+    return for_each<T>(o, std::tuple(r, t), std::tuple(out, unique), [&](std::size_t i) {
+        even<T> p;
+        write(unique, i, power_of(read(r, i), read(t, i), p));
+        write(out, i, p);
+    });
 }
 
 template <class T>
 status interpolate_all(const conformal_view<const T>& a, const conformal_view<const T>& b,
                        const parameter<T>& t, const conformal_view<T>& out, const scalar_view<T>& unique,
                        const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(a), group_of(b), group_of(t, a.size)),
-                       std::tuple(group_of(out), group_of(unique)),
-                       [&](std::size_t i) {
-                           even<T> p;
-                           write(unique, i, interpolate_of(read(a, i), read(b, i), read(t, i), p));
-                           write(out, i, p);
-                       });
+    return for_each<T>(o, std::tuple(a, b, t), std::tuple(out, unique), [&](std::size_t i) {
+        even<T> p;
+        write(unique, i, interpolate_of(read(a, i), read(b, i), read(t, i), p));
+        write(out, i, p);
+    });
 }
 
 template <class T>
 status split_all(const bivector_view<const T>& b, const bivector_view<T>& first,
                  const bivector_view<T>& second, const scalar_view<T>& unique, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(b)),
-                       std::tuple(group_of(first), group_of(second), group_of(unique)),
-                       [&](std::size_t i) {
-                           bivector<T> one, other;
-                           write(unique, i, split_of(read(b, i), one, other));
-                           write(first, i, one);
-                           write(second, i, other);
-                       });
+    return for_each<T>(o, std::tuple(b), std::tuple(first, second, unique), [&](std::size_t i) {
+        bivector<T> one, other;
+        write(unique, i, split_of(read(b, i), one, other));
+        write(first, i, one);
+        write(second, i, other);
+    });
 }
 
 }  // namespace

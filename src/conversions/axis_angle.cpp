@@ -1,6 +1,7 @@
 #include "swivel/axis_angle.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/conversions/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -10,20 +11,21 @@ template <class T>
 status from_any(const twist_axis<T>& a, const scalar_view<const T>& radians, const quat_view<T>& q,
                 const options& o) noexcept {
     const component_order& order = order_for(a, product::swing_twist);
-    const kernel<T> run_kernel = active_operations<T>().from_axis_angle[order.form][index_of(o.accuracy)];
-    const auto numbers = [&](batch<T>& b) { return set_numbers(b, order, a, o); };
-    const std::tuple out(group_of(q, order));
-    if (order.form == per_element_index)
-        return run(run_kernel, numbers, std::tuple(group_of(radians), group_of(a.per_element)), out);
-    return run(run_kernel, numbers, std::tuple(group_of(radians)), out);
+    call<T> c(radians.size, o);
+    c.read(radians);
+    c.about(a, order);
+    c.write(q, order.places);
+    return c.template run<from_axis_angle_kernels>(order.form, index_of(o.accuracy));
 }
 
 template <class T>
 status to_any(const quat_view<const T>& q, const vec3_view<T>& a, const scalar_view<T>& radians,
               const options& o) noexcept {
-    return run(
-        active_operations<T>().to_axis_angle[index_of(o.accuracy)], [&](batch<T>&) { return check(o); },
-        std::tuple(group_of(q)), std::tuple(group_of(a), group_of(radians)));
+    call<T> c(q.size, o);
+    c.read(q);
+    c.write(a);
+    c.write(radians);
+    return c.template run<to_axis_angle_kernels>(index_of(o.accuracy));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "swivel/matrix.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/conversions/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -8,16 +9,18 @@ namespace {
 
 template <class T>
 status from_any(const matrix_view<const T>& m, const quat_view<T>& q, const options& o) noexcept {
-    return run(
-        active_operations<T>().from_matrix[index_of(o.accuracy)], [&](batch<T>&) { return check(o); },
-        std::tuple(group_of(m)), std::tuple(group_of(q)));
+    call<T> c(m.size, o);
+    c.read(m);
+    c.write(q);
+    return c.template run<from_matrix_kernels>(index_of(o.accuracy));
 }
 
 template <class T>
 status to_any(const quat_view<const T>& q, const matrix_view<T>& m, const options& o) noexcept {
-    return run(
-        active_operations<T>().to_matrix[index_of(o.accuracy)], [&](batch<T>&) { return check(o); },
-        std::tuple(group_of(q)), std::tuple(group_of(m)));
+    call<T> c(q.size, o);
+    c.read(q);
+    c.write(m);
+    return c.template run<to_matrix_kernels>(index_of(o.accuracy));
 }
 
 }  // namespace

@@ -83,24 +83,35 @@ matrix3<T> matrix_of(const quat<T>& q) {
             ((z2 + w2) - (x2 + y2)) * reciprocal + 0};
 }
 
-// The components and angles about the first, second and third axis. Of an odd order i j = -k, which k and its
-// angle make up for by their signs.
+// The components about the first and second axis and the one that is left. Of an odd order i j = -k, which k and its
+// angle make up for by their signs. The angles are placed by axis, those of proper orders one after the other.
 constexpr const char* axes_of_orders[] = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx"};
 
-int axis_of(euler_order order, int k) { return axes_of_orders[static_cast<int>(order)][k] - 'x'; }
+int axis_of(euler_order order, int k) { return axes_of_orders[static_cast<int>(order) % 6][k] - 'x'; }
 
 bool is_odd(euler_order order) {
-    return order == euler_order::xzy || order == euler_order::yxz || order == euler_order::zyx;
+    const int axes = static_cast<int>(order) % 6;
+    return axes == 1 || axes == 2 || axes == 5;
 }
+
+bool is_proper(euler_order order) { return order >= euler_order::xyx; }
+
+int place_of_angle(euler_order order, int k) { return is_proper(order) ? k : axis_of(order, k); }
 
 template <class T>
 quat<T> rotation_by(const vec3<T>& radians, euler_order order) {
     const T angles[] = {radians.x, radians.y, radians.z}, sign = is_odd(order) ? T(-1) : T(1);
     const int i = axis_of(order, 0), j = axis_of(order, 1), k = axis_of(order, 2);
-    const auto [si, ci] = sincos_of(T(0.5) * angles[i]);
-    const auto [sj, cj] = sincos_of(T(0.5) * angles[j]);
-    const auto [sk, ck] = sincos_of(T(0.5) * angles[k]);
+    const auto [si, ci] = sincos_of(T(0.5) * angles[place_of_angle(order, 0)]);
+    const auto [sj, cj] = sincos_of(T(0.5) * angles[place_of_angle(order, 1)]);
+    const auto [sk, ck] = sincos_of(T(0.5) * angles[place_of_angle(order, 2)]);
     T v[3];
+    if (is_proper(order)) {
+        v[i] = (ci * cj) * sk + (si * cj) * ck;
+        v[j] = (si * sj) * sk + (ci * sj) * ck;
+        v[k] = (ci * sj) * (-sign * sk) + (si * sj) * (sign * ck);
+        return {v[0], v[1], v[2], (ci * cj) * ck - (si * cj) * sk};
+    }
     v[i] = (ci * sj) * (sign * sk) + (si * cj) * ck;
     v[j] = (ci * sj) * ck - (si * cj) * (sign * sk);
     v[k] = (ci * cj) * sk + (si * sj) * (sign * ck);
@@ -131,7 +142,9 @@ template <class T>
 vec3<T> angles_of(const quat<T>& q, euler_order order) {
     const T v[] = {q.x, q.y, q.z}, sign = is_odd(order) ? T(-1) : T(1);
     const T i = v[axis_of(order, 0)], j = v[axis_of(order, 1)], k = sign * v[axis_of(order, 2)], w = q.w;
-    const T px = w + j, py = i + k, mx = w - j, my = i - k;
+    const bool proper = is_proper(order);
+    const T px = proper ? w : w + j, py = proper ? i : i + k, mx = proper ? j : w - j,
+            my = proper ? k : i - k;
     const T p_squared = py * py + px * px, m_squared = my * my + mx * mx, both = p_squared + m_squared;
     const T poison = T(0) * both;
 
@@ -145,11 +158,13 @@ vec3<T> angles_of(const quat<T>& q, euler_order order) {
         first = half_turn(first);
         third = half_turn(third);
     }
-    const T second = atan2_of(2 * (i * k + w * j), std::sqrt(p_squared) * std::sqrt(m_squared));
+    const T lengths = std::sqrt(p_squared) * std::sqrt(m_squared);
+    const T second =
+        proper ? atan2_of(2 * lengths, p_squared - m_squared) : atan2_of(2 * (i * k + w * j), lengths);
     T angles[3];
-    angles[axis_of(order, 0)] = first + poison;
-    angles[axis_of(order, 1)] = second + poison;
-    angles[axis_of(order, 2)] = sign * third + poison;
+    angles[place_of_angle(order, 0)] = first + poison;
+    angles[place_of_angle(order, 1)] = second + poison;
+    angles[place_of_angle(order, 2)] = (proper ? third : sign * third) + poison;
     return {angles[0], angles[1], angles[2]};
 }
 
@@ -157,16 +172,13 @@ template <class T>
 status from_axis_angle_all(const twist_axis<T>& a, const scalar_view<const T>& radians, const quat_view<T>& q,
                            const options& o) {
     using form = typename twist_axis<T>::form;
-    const component_order& order = order_for(a, product::swing_twist);
-    batch<T> b;
-    const auto numbers = [&] { return set_numbers(b, order, a, o); };
     if (a.kind == form::per_element)
-        return for_each<T>(
-            numbers, std::tuple(group_of(radians), group_of(a.per_element)), std::tuple(group_of(q)),
-            [&](std::size_t i) { write(q, i, rotation_about(read(a.per_element, i), read(radians, i))); });
+        return for_each<T>(o, std::tuple(radians, a), std::tuple(q), [&](std::size_t i) {
+            write(q, i, rotation_about(read(a.per_element, i), read(radians, i)));
+        });
     unit_axis<T> unit{};
     if (a.kind == form::uniform) make_unit(a.uniform, unit);
-    return for_each<T>(numbers, std::tuple(group_of(radians)), std::tuple(group_of(q)), [&](std::size_t i) {
+    return for_each<T>(o, std::tuple(radians, a), std::tuple(q), [&](std::size_t i) {
         const T angle = read(radians, i);
         write(q, i,
               a.kind == form::uniform ? rotation_about(unit, angle) : rotation_about(a.coordinate, angle));
@@ -176,67 +188,58 @@ status from_axis_angle_all(const twist_axis<T>& a, const scalar_view<const T>& r
 template <class T>
 status to_axis_angle_all(const quat_view<const T>& q, const vec3_view<T>& a, const scalar_view<T>& radians,
                          const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(q)),
-                       std::tuple(group_of(a), group_of(radians)),
-                       [&](std::size_t i) {
-                           const axis_and_angle<T> found = axis_and_angle_of(read(q, i));
-                           write(a, i, found.a);
-                           write(radians, i, found.radians);
-                       });
+    return for_each<T>(o, std::tuple(q), std::tuple(a, radians), [&](std::size_t i) {
+        const axis_and_angle<T> found = axis_and_angle_of(read(q, i));
+        write(a, i, found.a);
+        write(radians, i, found.radians);
+    });
 }
 
 template <class T>
 status from_spinor_all(const spinor_view<const T>& s, const quat_view<T>& q, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(s)), std::tuple(group_of(q)),
-                       [&](std::size_t i) {
-                           const auto at = [&](const T* first) { return *element(first, i, s.stride); };
-                           write(q, i, quat<T>{-at(s.c), -at(s.d), -at(s.b), at(s.a)});
-                       });
+    return for_each<T>(o, std::tuple(s), std::tuple(q), [&](std::size_t i) {
+        const auto at = [&](const T* first) { return *element(first, i, s.stride); };
+        write(q, i, quat<T>{-at(s.c), -at(s.d), -at(s.b), at(s.a)});
+    });
 }
 
 template <class T>
 status to_spinor_all(const quat_view<const T>& q, const spinor_view<T>& s, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(q)), std::tuple(group_of(s)),
-                       [&](std::size_t i) {
-                           const quat<T> in = read(q, i);
-                           *element(s.a, i, s.stride) = in.w;
-                           *element(s.b, i, s.stride) = -in.z;
-                           *element(s.c, i, s.stride) = -in.x;
-                           *element(s.d, i, s.stride) = -in.y;
-                       });
+    return for_each<T>(o, std::tuple(q), std::tuple(s), [&](std::size_t i) {
+        const quat<T> in = read(q, i);
+        *element(s.a, i, s.stride) = in.w;
+        *element(s.b, i, s.stride) = -in.z;
+        *element(s.c, i, s.stride) = -in.x;
+        *element(s.d, i, s.stride) = -in.y;
+    });
 }
 
 template <class T>
 status from_matrix_all(const matrix_view<const T>& m, const quat_view<T>& q, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(m)), std::tuple(group_of(q)),
+    return for_each<T>(o, std::tuple(m), std::tuple(q),
                        [&](std::size_t i) { write(q, i, rotation_of(read(m, i))); });
 }
 
 template <class T>
 status to_matrix_all(const quat_view<const T>& q, const matrix_view<T>& m, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(q)), std::tuple(group_of(m)),
+    return for_each<T>(o, std::tuple(q), std::tuple(m),
                        [&](std::size_t i) { write(m, i, matrix_of(read(q, i))); });
-}
-
-status check(const options& o, euler_order order) {
-    const status bad = check(o);
-    return bad != status::ok ? bad : check(order);
 }
 
 template <class T>
 status from_euler_all(const vec3_view<const T>& radians, euler_order order, const quat_view<T>& q,
                       const options& o) {
-    return for_each<T>([&] { return check(o, order); }, std::tuple(group_of(radians)),
-                       std::tuple(group_of(q)),
-                       [&](std::size_t i) { write(q, i, rotation_by(read(radians, i), order)); });
+    return for_each<T>(
+        o, std::tuple(radians), std::tuple(q),
+        [&](std::size_t i) { write(q, i, rotation_by(read(radians, i), order)); }, check(order));
 }
 
 template <class T>
 status to_euler_all(const quat_view<const T>& q, euler_order order, const vec3_view<T>& radians,
                     const options& o) {
-    return for_each<T>([&] { return check(o, order); }, std::tuple(group_of(q)),
-                       std::tuple(group_of(radians)),
-                       [&](std::size_t i) { write(radians, i, angles_of(read(q, i), order)); });
+    return for_each<T>(
+        o, std::tuple(q), std::tuple(radians),
+        [&](std::size_t i) { write(radians, i, angles_of(read(q, i), order)); }, check(order));
 }
 
 }  // namespace

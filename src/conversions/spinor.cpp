@@ -1,6 +1,7 @@
 #include "swivel/spinor.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/rotors/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -9,16 +10,18 @@ namespace {
 // With the components in the places of those that they become, a change of three signs is all there is to it.
 template <class T>
 status from_any(const spinor_view<const T>& s, const quat_view<T>& q, const options& o) noexcept {
-    return run(
-        active_operations<T>().conjugate, [&](batch<T>&) { return check(o); }, std::tuple(group_of(s)),
-        std::tuple(group_of(q)));
+    call<T> c(s.size, o);
+    c.read(s);
+    c.write(q);
+    return c.template run<conjugate_kernels>(0);
 }
 
 template <class T>
 status to_any(const quat_view<const T>& q, const spinor_view<T>& s, const options& o) noexcept {
-    return run(
-        active_operations<T>().conjugate, [&](batch<T>&) { return check(o); }, std::tuple(group_of(q)),
-        std::tuple(group_of(s)));
+    call<T> c(q.size, o);
+    c.read(q);
+    c.write(s);
+    return c.template run<conjugate_kernels>(0);
 }
 
 }  // namespace

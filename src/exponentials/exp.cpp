@@ -1,6 +1,7 @@
 #include "swivel/exp.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/exponentials/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -8,9 +9,10 @@ namespace {
 
 template <class T>
 status any_type(const vec3_view<const T>& b, const quat_view<T>& out, const options& o) noexcept {
-    return run(
-        active_operations<T>().exp[index_of(o.accuracy)], [&](batch<T>&) { return check(o); },
-        std::tuple(group_of(b)), std::tuple(group_of(out)));
+    call<T> c(b.size, o);
+    c.read(b);
+    c.write(out);
+    return c.template run<exp_kernels>(index_of(o.accuracy));
 }
 
 }  // namespace

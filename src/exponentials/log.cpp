@@ -1,6 +1,7 @@
 #include "swivel/log.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/exponentials/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -8,9 +9,10 @@ namespace {
 
 template <class T>
 status any_type(const quat_view<const T>& q, const vec3_view<T>& out, const options& o) noexcept {
-    return run(
-        active_operations<T>().log[index_of(o.accuracy)], [&](batch<T>&) { return check(o); },
-        std::tuple(group_of(q)), std::tuple(group_of(out)));
+    call<T> c(q.size, o);
+    c.read(q);
+    c.write(out);
+    return c.template run<log_kernels>(index_of(o.accuracy));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "swivel/power.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/exponentials/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -9,9 +10,11 @@ namespace {
 template <class T>
 status any_type(const quat_view<const T>& q, const parameter<T>& t, const quat_view<T>& out,
                 const options& o) noexcept {
-    return run(
-        active_operations<T>().power[index_of(o.accuracy)], [&](batch<T>&) { return check(o); },
-        std::tuple(group_of(q), group_of(t, q.size)), std::tuple(group_of(out)));
+    call<T> c(q.size, o);
+    c.read(q);
+    c.read(t);
+    c.write(out);
+    return c.template run<power_kernels>(index_of(o.accuracy));
 }
 
 }  // namespace

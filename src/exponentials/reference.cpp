@@ -46,27 +46,26 @@ quat<T> power_of(const quat<T>& q, T t) {
 
 template <class T>
 status square_root_all(const quat_view<const T>& q, const quat_view<T>& out, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(q)), std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(q), std::tuple(out),
                        [&](std::size_t i) { write(out, i, square_root_of(read(q, i))); });
 }
 
 template <class T>
 status exp_all(const vec3_view<const T>& b, const quat_view<T>& out, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(b)), std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(b), std::tuple(out),
                        [&](std::size_t i) { write(out, i, exp_of(read(b, i))); });
 }
 
 template <class T>
 status log_all(const quat_view<const T>& q, const vec3_view<T>& out, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(q)), std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(q), std::tuple(out),
                        [&](std::size_t i) { write(out, i, log_of(read(q, i))); });
 }
 
 template <class T>
 status power_all(const quat_view<const T>& q, const parameter<T>& t, const quat_view<T>& out,
                  const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(q), group_of(t, q.size)),
-                       std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(q, t), std::tuple(out),
                        [&](std::size_t i) { write(out, i, power_of(read(q, i), read(t, i))); });
 }
 

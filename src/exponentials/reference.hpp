@@ -23,7 +23,8 @@ struct polar_form {
 template <class T>
 polar_form<T> polar(const quat<T>& q, T by) {
     const vec3<T> part{q.x, q.y, q.z};
-    const T scale = scale_for(part);
+    const T most = 2 / constants<T>::pole_floor, fitting = scale_for(part),
+            scale = fitting < most ? fitting : most;
     const vec3<T> v = scaled(part, scale);
     const T squared = dot(v, v);
     const bool scalar_only = squared == 0;

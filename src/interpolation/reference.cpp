@@ -36,8 +36,8 @@ quat<T> with_length_of(const quat<T>& a, const quat<T>& b) {
 
 // NaN where something is not finite.
 template <class T>
-quat<T> unit_of(const quat<T>& q) {
-    const T length = std::sqrt(floored(finite_or_nan(dot(q, q))));
+quat<T> unit_of(const quat<T>& q, T least = constants<T>::pole_floor) {
+    const T squared = finite_or_nan(dot(q, q)), length = std::sqrt(least > squared ? least : squared);
     return {q.x / length, q.y / length, q.z / length, q.w / length};
 }
 
@@ -56,7 +56,8 @@ struct slerp_weights {
 
 template <class T>
 slerp_weights<T> weights_of(T pp, T nn, T t, bool p_is_shorter) {
-    const T p = std::sqrt(floored(pp)), n = std::sqrt(floored(nn));
+    const T least = p_is_shorter ? constants<T>::smallest_normal : constants<T>::pole_floor;
+    const T p = std::sqrt(least > pp ? least : pp), n = std::sqrt(floored(nn));
     const T half =
         p_is_shorter ? constants<T>::half_pi + (constants<T>::half_pi_rest - atan_of(p / n)) : atan_of(n / p);
     const sine_cosine<T> f = sincos_of((t * 2 + -1) * half);
@@ -80,7 +81,8 @@ quat<T> long_slerp(const quat<T>& a, const quat<T>& b, T t) {
     p = {p.x - part * n.x, p.y - part * n.y, p.z - part * n.z, p.w - part * n.w};
     if (dot(p, p) <= constants<T>::pole_threshold * nn) {
         const quat<T> turned = turned_about_x(n);
-        p = {turned.x * T(-0x1p-40), turned.y * T(-0x1p-40), turned.z * T(-0x1p-40), turned.w * T(-0x1p-40)};
+        const T by = constants<T>::rounding * T(-0x1p-8);
+        p = {turned.x * by, turned.y * by, turned.z * by, turned.w * by};
     }
     const auto [along, across] = weights_of(dot(p, p), nn, t, true);
     return sum(along, p, across, n);
@@ -99,7 +101,8 @@ quat<T> nlerp_of(const quat<T>& a, const quat<T>& given, T t, bool long_way) {
     const quat<T> m = sum(1 - t, a, t, with_length_of(a, end));
     const T mm = dot(m, m);
     const bool nothing = mm <= constants<T>::pole_threshold * dot(a, a);
-    return with_ends(unit_of(nothing ? turned_about_x(a) : m), t == 0, a, t == 1, end);
+    return with_ends(unit_of(nothing ? turned_about_x(a) : m, constants<T>::smallest_normal), t == 0, a,
+                     t == 1, end);
 }
 
 // The t-th part of a turn whose half has that cosine and sine, times `length`.
@@ -107,8 +110,9 @@ template <class T>
 sine_cosine<T> part_of_turn(T cosine, T sine, T length, T t, flavour motion) {
     if (motion == flavour::slerp) return sincos_of(t * angle_of(sine, cosine, length));
     T x = t * cosine + (1 - t) * length, y = t * sine;
-    T squared = y * y + x * x;
-    if (squared <= constants<T>::pole_threshold * length) {
+    const T least = constants<T>::root_of_smallest_normal, size = least > std::fabs(y) ? least : std::fabs(y);
+    T squared = size * size + x * x;
+    if (squared <= constants<T>::pole_threshold * (length * length)) {
         x = 0;
         y = std::copysign(T(1), sine);
         squared = 1;
@@ -146,10 +150,9 @@ quat<T> sterp_of(const quat<T>& a, const quat<T>& b, const unit_axis<T>& axis, T
 template <class T, class Between>
 status between_all(const quat_view<const T>& a, const quat_view<const T>& b, const parameter<T>& t,
                    const quat_view<T>& out, const options& o, Between between) {
-    return for_each<T>(
-        [&] { return check(o); }, std::tuple(group_of(a), group_of(b), group_of(t, a.size)),
-        std::tuple(group_of(out)),
-        [&](std::size_t i) { write(out, i, between(read(a, i), read(b, i), read(t, i), o.long_way)); });
+    return for_each<T>(o, std::tuple(a, b, t), std::tuple(out), [&](std::size_t i) {
+        write(out, i, between(read(a, i), read(b, i), read(t, i), o.long_way));
+    });
 }
 
 template <class T>
@@ -157,23 +160,17 @@ status sterp_all(const quat_view<const T>& a, const quat_view<const T>& b, const
                  const parameter<T>& swing, const parameter<T>& twist, const quat_view<T>& out,
                  const options& o) {
     const twist_axis<T> vector = as_vector(axis);
-    const auto numbers = [&] {
-        if (const status bad = check(axis.coordinate); bad != status::ok) return bad;
-        batch<T> unused;
-        return set_numbers(unused, uniform_orders[0], vector, o);
-    };
-    const auto s = group_of(swing, a.size), t = group_of(twist, a.size);
     const auto each = [&](std::size_t i, const unit_axis<T>& l) {
         write(out, i, sterp_of(read(a, i), read(b, i), l, read(swing, i), read(twist, i), o));
     };
     if (vector.kind == twist_axis<T>::form::per_element)
-        return for_each<T>(numbers, std::tuple(group_of(a), group_of(b), group_of(vector.per_element), s, t),
-                           std::tuple(group_of(out)),
+        return for_each<T>(o, std::tuple(a, b, vector, swing, twist), std::tuple(out),
                            [&](std::size_t i) { each(i, normalized(read(vector.per_element, i))); });
     unit_axis<T> unit{};
     (void)make_unit(vector.uniform, unit);
-    return for_each<T>(numbers, std::tuple(group_of(a), group_of(b), s, t), std::tuple(group_of(out)),
-                       [&](std::size_t i) { each(i, unit); });
+    return for_each<T>(
+        o, std::tuple(a, b, vector, swing, twist), std::tuple(out), [&](std::size_t i) { each(i, unit); },
+        check(axis.coordinate));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "swivel/slerp.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/interpolation/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -9,9 +10,12 @@ namespace {
 template <class T>
 status any_type(const quat_view<const T>& a, const quat_view<const T>& b, const parameter<T>& t,
                 const quat_view<T>& out, const options& o) noexcept {
-    return run(
-        active_operations<T>().slerp[o.long_way][index_of(o.accuracy)], [&](batch<T>&) { return check(o); },
-        std::tuple(group_of(a), group_of(b), group_of(t, a.size)), std::tuple(group_of(out)));
+    call<T> c(a.size, o);
+    c.read(a);
+    c.read(b);
+    c.read(t);
+    c.write(out);
+    return c.template run<slerp_kernels>(o.long_way, index_of(o.accuracy));
 }
 
 }  // namespace

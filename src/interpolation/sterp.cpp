@@ -1,6 +1,7 @@
 #include "swivel/sterp.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/interpolation/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -12,21 +13,18 @@ status any_type(const quat_view<const T>& a, const quat_view<const T>& b, const 
                 const options& o) noexcept {
     const twist_axis<T> vector = as_vector(axis);
     const component_order& order = order_for(vector, product::swing_twist);
-    const bool per_element = order.form == per_element_index;
-    const kernel<T> run_kernel =
-        active_operations<T>().sterp[per_element][o.motion == flavour::nlerp][o.axis_frame == frame::body]
-                                    [index_of(o.accuracy)];
-    const auto numbers = [&](batch<T>& batch) {
-        if (const status bad = check(axis.coordinate); bad != status::ok) return bad;
-        batch.uniform[5] = o.long_way ? T(-0.0) : T(0);
-        return set_numbers(batch, order, vector, o);
-    };
-    const auto s = group_of(swing, a.size), t = group_of(twist, a.size);
-    if (per_element)
-        return run(run_kernel, numbers,
-                   std::tuple(group_of(a), group_of(b), group_of(vector.per_element), s, t),
-                   std::tuple(group_of(out)));
-    return run(run_kernel, numbers, std::tuple(group_of(a), group_of(b), s, t), std::tuple(group_of(out)));
+    call<T> c(a.size, o);
+    c.read(a);
+    c.read(b);
+    c.about(vector, order);
+    c.read(swing);
+    c.read(twist);
+    c.write(out);
+    c.number(5, o.long_way ? T(-0.0) : T(0));
+    c.number(6, o.axis_frame == frame::body ? T(1) : T(0));
+    c.require(check(axis.coordinate));
+    return c.template run<sterp_kernels>(order.form == per_element_index, o.motion == flavour::nlerp,
+                                         index_of(o.accuracy));
 }
 
 }  // namespace

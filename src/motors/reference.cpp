@@ -129,6 +129,7 @@ struct screw {
 template <class T>
 screw<T> screw_of(const motor<T>& a, bool near_minus_one) {
     screw<T> s;
+    bool nothing = false;
     const vec3<T> v = vector_part(a.r), e = vector_part(a.d);
     if (near_minus_one) {
         const bool minus_one = is_minus_one(a.r);
@@ -137,12 +138,14 @@ screw<T> screw_of(const motor<T>& a, bool near_minus_one) {
         s.m = minus_one ? T(0) : q.m;
         s.w = q.w;
     } else {
-        s.m = std::sqrt(floored(dot(v, v)));
+        const T squared = dot(v, v);
+        nothing = squared < constants<T>::pole_floor;
+        s.m = std::sqrt(floored(squared));
         s.u = {v.x / s.m, v.y / s.m, v.z / s.m};
         s.w = a.r.w;
     }
     s.angle = atan2_of(s.m, s.w);
-    s.p = s.w * dot(s.u, e) - s.m * a.d.w;
+    s.p = s.w * dot(s.u, e) - (nothing ? T(0) : s.m) * a.d.w;
     const T back = s.p * s.w;
     s.across = {e.x - back * s.u.x, e.y - back * s.u.y, e.z - back * s.u.z};
     return s;
@@ -232,7 +235,7 @@ motor<T> blend_of(std::span<const motor_view<const T>> motors, std::span<const p
 // Calls body(i) for every element.
 template <class T, class... In, class... Out, class Body>
 status plain(const options& o, const std::tuple<In...>& reads, const std::tuple<Out...>& writes, Body body) {
-    return for_each<T>([&] { return check(o); }, reads, writes, body);
+    return for_each<T>(o, reads, writes, body);
 }
 
 template <class T>
@@ -241,8 +244,8 @@ status blend_all(std::span<const motor_view<const T>> motors, std::span<const pa
     if (motors.size() != weights.size()) return status::size_mismatch;
     if (motors.empty()) return status::bad_argument;
     for (std::size_t k = 0; k < motors.size(); ++k) {
-        const status bad = plain<T>(o, std::tuple(group_of(motors[k]), group_of(weights[k], out.size)),
-                                    std::tuple(group_of(out)), [](std::size_t) {});
+        const status bad =
+            plain<T>(o, std::tuple(motors[k], weights[k]), std::tuple(out), [](std::size_t) {});
         if (bad != status::ok) return bad;
     }
     for (std::size_t i = 0; i < out.size; ++i) write(out, i, blend_of(motors, weights, i));
@@ -260,16 +263,7 @@ twist_axis<T> axis_at(const twist_axis<T>& a, std::size_t i) {
 template <class T>
 status decompose_all(const motor_view<const T>& m, const twist_axis<T>& a, const quat_view<T>& swing,
                      const quat_view<T>& twist, const vec3_view<T>& translation, const options& o) {
-    const component_order& order = order_for(a, o.order);
-    std::size_t size = 0;
-    const status bad = with_projected(real_part(m), a, order, [&](const auto& reads) {
-        batch<T> b;
-        return check_call<T>(
-            [&] { return set_numbers(b, order, a, o); }, std::tuple_cat(reads, std::tuple(group_of(m))),
-            std::tuple(group_of(swing, order), group_of(twist, order), group_of(translation)), size);
-    });
-    if (bad != status::ok) return bad;
-    for (std::size_t i = 0; i < size; ++i) {
+    return for_each<T>(o, std::tuple(m, a), std::tuple(swing, twist, translation), [&](std::size_t i) {
         const motor<T> in = read(m, i);
         quat<T> s{}, t{};
         (void)decompose(quat_view<const T>{&in.r.x, &in.r.y, &in.r.z, &in.r.w, 1}, axis_at(a, i),
@@ -279,8 +273,7 @@ status decompose_all(const motor_view<const T>& m, const twist_axis<T>& a, const
         write(swing, i, plus(s, each(poison)));
         write(twist, i, plus(t, each(poison)));
         write(translation, i, vec3<T>{moves.x + poison, moves.y + poison, moves.z + poison});
-    }
-    return status::ok;
+    });
 }
 
 template <class T>
@@ -288,61 +281,60 @@ status compose_all(const quat_view<const T>& swing, const quat_view<const T>& tw
                    const vec3_view<const T>& translation, const motor_view<T>& out, const options& o) {
     const bool swing_left = o.order == product::swing_twist;
     const quat_view<const T>&left = swing_left ? swing : twist, &right = swing_left ? twist : swing;
-    return plain<T>(o, std::tuple(group_of(left), group_of(right), group_of(translation)),
-                    std::tuple(group_of(out)), [&](std::size_t i) {
-                        const quat<T> q = hamilton(read(left, i), read(right, i));
-                        const quat<T> d = moved(q, read(translation, i));
-                        write(out, i, poisoned(motor<T>{q, d}, T(0) * d.y + T(0) * d.x));
-                    });
+    return plain<T>(o, std::tuple(left, right, translation), std::tuple(out), [&](std::size_t i) {
+        const quat<T> q = hamilton(read(left, i), read(right, i));
+        const quat<T> d = moved(q, read(translation, i));
+        write(out, i, poisoned(motor<T>{q, d}, T(0) * d.y + T(0) * d.x));
+    });
 }
 
 }  // namespace
 
 status multiply(const motor_view<const float>& a, const motor_view<const float>& b,
                 const motor_view<float>& out, options o) noexcept {
-    return plain<float>(o, std::tuple(group_of(a), group_of(b)), std::tuple(group_of(out)),
+    return plain<float>(o, std::tuple(a, b), std::tuple(out),
                         [&](std::size_t i) { write(out, i, multiply_of(read(a, i), read(b, i))); });
 }
 status multiply(const motor_view<const double>& a, const motor_view<const double>& b,
                 const motor_view<double>& out, options o) noexcept {
-    return plain<double>(o, std::tuple(group_of(a), group_of(b)), std::tuple(group_of(out)),
+    return plain<double>(o, std::tuple(a, b), std::tuple(out),
                          [&](std::size_t i) { write(out, i, multiply_of(read(a, i), read(b, i))); });
 }
 status conjugate(const motor_view<const float>& m, const motor_view<float>& out, options o) noexcept {
-    return plain<float>(o, std::tuple(group_of(m)), std::tuple(group_of(out)), [&](std::size_t i) {
+    return plain<float>(o, std::tuple(m), std::tuple(out), [&](std::size_t i) {
         const motor<float> in = read(m, i);
         write(out, i, motor<float>{reversed(in.r), reversed(in.d)});
     });
 }
 status conjugate(const motor_view<const double>& m, const motor_view<double>& out, options o) noexcept {
-    return plain<double>(o, std::tuple(group_of(m)), std::tuple(group_of(out)), [&](std::size_t i) {
+    return plain<double>(o, std::tuple(m), std::tuple(out), [&](std::size_t i) {
         const motor<double> in = read(m, i);
         write(out, i, motor<double>{reversed(in.r), reversed(in.d)});
     });
 }
 status normalize(const motor_view<const float>& m, const motor_view<float>& out, options o) noexcept {
-    return plain<float>(o, std::tuple(group_of(m)), std::tuple(group_of(out)),
+    return plain<float>(o, std::tuple(m), std::tuple(out),
                         [&](std::size_t i) { write(out, i, normalized_motor(read(m, i))); });
 }
 status normalize(const motor_view<const double>& m, const motor_view<double>& out, options o) noexcept {
-    return plain<double>(o, std::tuple(group_of(m)), std::tuple(group_of(out)),
+    return plain<double>(o, std::tuple(m), std::tuple(out),
                          [&](std::size_t i) { write(out, i, normalized_motor(read(m, i))); });
 }
 status from_rotation_translation(const quat_view<const float>& q, const vec3_view<const float>& t,
                                  const motor_view<float>& out, options o) noexcept {
-    return plain<float>(
-        o, std::tuple(group_of(q), group_of(t)), std::tuple(group_of(out)),
-        [&](std::size_t i) { write(out, i, from_rotation_translation_of(read(q, i), read(t, i))); });
+    return plain<float>(o, std::tuple(q, t), std::tuple(out), [&](std::size_t i) {
+        write(out, i, from_rotation_translation_of(read(q, i), read(t, i)));
+    });
 }
 status from_rotation_translation(const quat_view<const double>& q, const vec3_view<const double>& t,
                                  const motor_view<double>& out, options o) noexcept {
-    return plain<double>(
-        o, std::tuple(group_of(q), group_of(t)), std::tuple(group_of(out)),
-        [&](std::size_t i) { write(out, i, from_rotation_translation_of(read(q, i), read(t, i))); });
+    return plain<double>(o, std::tuple(q, t), std::tuple(out), [&](std::size_t i) {
+        write(out, i, from_rotation_translation_of(read(q, i), read(t, i)));
+    });
 }
 status to_rotation_translation(const motor_view<const float>& m, const quat_view<float>& q,
                                const vec3_view<float>& t, options o) noexcept {
-    return plain<float>(o, std::tuple(group_of(m)), std::tuple(group_of(q), group_of(t)), [&](std::size_t i) {
+    return plain<float>(o, std::tuple(m), std::tuple(q, t), [&](std::size_t i) {
         const motor<float> in = read(m, i);
         const vec3<float> moves = translation_of(in);
         const float poison = 0 * moves.x;
@@ -352,36 +344,35 @@ status to_rotation_translation(const motor_view<const float>& m, const quat_view
 }
 status to_rotation_translation(const motor_view<const double>& m, const quat_view<double>& q,
                                const vec3_view<double>& t, options o) noexcept {
-    return plain<double>(o, std::tuple(group_of(m)), std::tuple(group_of(q), group_of(t)),
-                         [&](std::size_t i) {
-                             const motor<double> in = read(m, i);
-                             const vec3<double> moves = translation_of(in);
-                             const double poison = 0 * moves.x;
-                             write(q, i, poison == 0 ? in.r : each(poison));
-                             write(t, i, vec3<double>{moves.x + poison, moves.y + poison, moves.z + poison});
-                         });
+    return plain<double>(o, std::tuple(m), std::tuple(q, t), [&](std::size_t i) {
+        const motor<double> in = read(m, i);
+        const vec3<double> moves = translation_of(in);
+        const double poison = 0 * moves.x;
+        write(q, i, poison == 0 ? in.r : each(poison));
+        write(t, i, vec3<double>{moves.x + poison, moves.y + poison, moves.z + poison});
+    });
 }
 status transform(const motor_view<const float>& m, const vec3_view<const float>& points,
                  const vec3_view<float>& out, options o) noexcept {
-    return plain<float>(o, std::tuple(group_of(m), group_of(points)), std::tuple(group_of(out)),
+    return plain<float>(o, std::tuple(m, points), std::tuple(out),
                         [&](std::size_t i) { write(out, i, transformed(read(m, i), read(points, i))); });
 }
 status transform(const motor_view<const double>& m, const vec3_view<const double>& points,
                  const vec3_view<double>& out, options o) noexcept {
-    return plain<double>(o, std::tuple(group_of(m), group_of(points)), std::tuple(group_of(out)),
+    return plain<double>(o, std::tuple(m, points), std::tuple(out),
                          [&](std::size_t i) { write(out, i, transformed(read(m, i), read(points, i))); });
 }
 status square_root(const motor_view<const float>& m, const motor_view<float>& out, options o) noexcept {
-    return plain<float>(o, std::tuple(group_of(m)), std::tuple(group_of(out)),
+    return plain<float>(o, std::tuple(m), std::tuple(out),
                         [&](std::size_t i) { write(out, i, square_root_of(read(m, i))); });
 }
 status square_root(const motor_view<const double>& m, const motor_view<double>& out, options o) noexcept {
-    return plain<double>(o, std::tuple(group_of(m)), std::tuple(group_of(out)),
+    return plain<double>(o, std::tuple(m), std::tuple(out),
                          [&](std::size_t i) { write(out, i, square_root_of(read(m, i))); });
 }
 status log(const motor_view<const float>& m, const vec3_view<float>& b, const vec3_view<float>& n,
            options o) noexcept {
-    return plain<float>(o, std::tuple(group_of(m)), std::tuple(group_of(b), group_of(n)), [&](std::size_t i) {
+    return plain<float>(o, std::tuple(m), std::tuple(b, n), [&](std::size_t i) {
         const motor_bivector<float> r = log_of(read(m, i));
         write(b, i, r.b);
         write(n, i, r.n);
@@ -389,44 +380,43 @@ status log(const motor_view<const float>& m, const vec3_view<float>& b, const ve
 }
 status log(const motor_view<const double>& m, const vec3_view<double>& b, const vec3_view<double>& n,
            options o) noexcept {
-    return plain<double>(o, std::tuple(group_of(m)), std::tuple(group_of(b), group_of(n)),
-                         [&](std::size_t i) {
-                             const motor_bivector<double> r = log_of(read(m, i));
-                             write(b, i, r.b);
-                             write(n, i, r.n);
-                         });
+    return plain<double>(o, std::tuple(m), std::tuple(b, n), [&](std::size_t i) {
+        const motor_bivector<double> r = log_of(read(m, i));
+        write(b, i, r.b);
+        write(n, i, r.n);
+    });
 }
 status exp(const vec3_view<const float>& b, const vec3_view<const float>& n, const motor_view<float>& out,
            options o) noexcept {
-    return plain<float>(o, std::tuple(group_of(b), group_of(n)), std::tuple(group_of(out)),
+    return plain<float>(o, std::tuple(b, n), std::tuple(out),
                         [&](std::size_t i) { write(out, i, exp_of(read(b, i), read(n, i))); });
 }
 status exp(const vec3_view<const double>& b, const vec3_view<const double>& n, const motor_view<double>& out,
            options o) noexcept {
-    return plain<double>(o, std::tuple(group_of(b), group_of(n)), std::tuple(group_of(out)),
+    return plain<double>(o, std::tuple(b, n), std::tuple(out),
                          [&](std::size_t i) { write(out, i, exp_of(read(b, i), read(n, i))); });
 }
 status power(const motor_view<const float>& m, const parameter<float>& t, const motor_view<float>& out,
              options o) noexcept {
-    return plain<float>(o, std::tuple(group_of(m), group_of(t, m.size)), std::tuple(group_of(out)),
+    return plain<float>(o, std::tuple(m, t), std::tuple(out),
                         [&](std::size_t i) { write(out, i, power_of(read(m, i), read(t, i))); });
 }
 status power(const motor_view<const double>& m, const parameter<double>& t, const motor_view<double>& out,
              options o) noexcept {
-    return plain<double>(o, std::tuple(group_of(m), group_of(t, m.size)), std::tuple(group_of(out)),
+    return plain<double>(o, std::tuple(m, t), std::tuple(out),
                          [&](std::size_t i) { write(out, i, power_of(read(m, i), read(t, i))); });
 }
 status sclerp(const motor_view<const float>& a, const motor_view<const float>& b, const parameter<float>& t,
               const motor_view<float>& out, options o) noexcept {
-    return plain<float>(
-        o, std::tuple(group_of(a), group_of(b), group_of(t, a.size)), std::tuple(group_of(out)),
-        [&](std::size_t i) { write(out, i, sclerp_of(read(a, i), read(b, i), read(t, i), o.long_way)); });
+    return plain<float>(o, std::tuple(a, b, t), std::tuple(out), [&](std::size_t i) {
+        write(out, i, sclerp_of(read(a, i), read(b, i), read(t, i), o.long_way));
+    });
 }
 status sclerp(const motor_view<const double>& a, const motor_view<const double>& b,
               const parameter<double>& t, const motor_view<double>& out, options o) noexcept {
-    return plain<double>(
-        o, std::tuple(group_of(a), group_of(b), group_of(t, a.size)), std::tuple(group_of(out)),
-        [&](std::size_t i) { write(out, i, sclerp_of(read(a, i), read(b, i), read(t, i), o.long_way)); });
+    return plain<double>(o, std::tuple(a, b, t), std::tuple(out), [&](std::size_t i) {
+        write(out, i, sclerp_of(read(a, i), read(b, i), read(t, i), o.long_way));
+    });
 }
 status blend(std::span<const motor_view<const float>> motors, std::span<const parameter<float>> weights,
              const motor_view<float>& out, options o) noexcept {

@@ -3,7 +3,9 @@
 
 // Elements of views, and what is common to the calls of swivel::reference.
 
-#include "src/call/arguments.hpp"
+#include <tuple>
+
+#include "src/call/call.hpp"
 
 namespace swivel::reference {
 
@@ -107,23 +109,17 @@ void write(const matrix_view<T>& v, std::size_t i, const matrix3<T>& m) {
     put(v.zz, m.zz);
 }
 
-// The checks of the operation; `ok` with a size of 0 means that there is nothing to do.
-template <class T, class Numbers, class... In, class... Out>
-status check_call(const Numbers& numbers, const std::tuple<In...>& reads, const std::tuple<Out...>& writes,
-                  std::size_t& size) {
-    call_streams<T> s(reads, writes);
-    if (const status bad = check(s); bad != status::ok || s.size == 0) return bad;
-    if (const status bad = numbers(); bad != status::ok) return bad;
-    size = s.size;
-    return status::ok;
-}
-
-// Checks, then calls body(i) for every element in order.
-template <class T, class Numbers, class... In, class... Out, class Body>
-status for_each(const Numbers& numbers, const std::tuple<In...>& reads, const std::tuple<Out...>& writes,
-                Body body) {
-    std::size_t size = 0;
-    if (const status bad = check_call<T>(numbers, reads, writes, size); bad != status::ok) return bad;
+// Checks, as the operation itself does, the views and an argument that is right or wrong in itself; then calls
+// body(i) for every element in order.
+template <class T, class... In, class... Out, class Body>
+status for_each(const options& o, const std::tuple<In...>& reads, const std::tuple<Out...>& writes, Body body,
+                status argument = status::ok) {
+    const std::size_t size = std::get<0>(reads).size;
+    call<T> c(size, o);
+    std::apply([&](const auto&... v) { (c.read(v), ...); }, reads);
+    std::apply([&](const auto&... v) { (c.write(v), ...); }, writes);
+    c.require(argument);
+    if (const status bad = c.check_all(); bad != status::ok) return bad;
     for (std::size_t i = 0; i < size; ++i) body(i);
     return status::ok;
 }

@@ -39,10 +39,17 @@ T polynomial(T x, const T (&c)[N]) {
     return (rest * x + c[1]) * x + c[0];
 }
 
+// x^2 for a series in it.
+template <class T>
+T series_square(T x) {
+    const T least = constants<T>::negligible, size = std::fabs(x), no_less = least > size ? least : size;
+    return no_less * no_less;
+}
+
 // For |z| <= 1.
 template <class T>
 T atan_of(T z) {
-    const T s = z * z;
+    const T s = series_square(z);
     return (z * s) * polynomial(s, constants<T>::atan) + z;
 }
 
@@ -53,7 +60,8 @@ T atan2_of(T y, T x) {
     const bool steep = ay > ax;
     const T small = steep ? ax : ay, large = steep ? ay : ax;
     const bool left = std::signbit(x);
-    const T ratio = small / (large == 0 ? T(1) : large), z = steep != left ? -ratio : ratio, s = z * z;
+    const T ratio = small / (large == 0 ? T(1) : large), z = steep != left ? -ratio : ratio,
+            s = series_square(z);
     const T quarters = steep ? 1 : left ? 2 : 0;
     const T bend = (z * s) * polynomial(s, C::atan) + quarters * C::half_pi_rest;
     const T angle = quarters * C::half_pi + (z + bend);
@@ -87,7 +95,7 @@ sine_cosine<T> sincos_of(T x) {
     const T reduced = rest - third;
     r = reduced + (((rest - reduced) - third) - k * C::half_pi_parts[3]);
 
-    const T s = r * r;
+    const T s = series_square(r);
     T sine = (r * s) * polynomial(s, C::sin) + r;
     T cosine = (s * s) * polynomial(s, C::cos) + (1 - T(0.5) * s);
     if (quadrant % 2 != 0) std::swap(sine, cosine);
@@ -119,7 +127,7 @@ T asinh_of(T x) {
     const T square = x * x, t = x + square / (1 + std::sqrt(square + 1)), sum = 1 + t;
     const int exponent = std::ilogb(sum * C::sqrt_2);
     const T k = static_cast<T>(exponent), rest = exponent == 0 ? t : sum * std::ldexp(T(1), -exponent) - 1;
-    const T f = rest / (rest + 2), s = f * f;
+    const T f = rest / (rest + 2), s = series_square(f);
     return k * C::ln_2 + ((f * s) * polynomial(s, C::log) + (k * C::ln_2_rest + (f + f)));
 }
 

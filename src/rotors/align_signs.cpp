@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "kernels/rotors/tables.hpp"
+#include "src/call/call.hpp"
 #include "src/reference/elements.hpp"
 #include "swivel/dot.hpp"
 
@@ -19,9 +21,11 @@ using reference::write;
 template <class T>
 status with_neighbour(const quat_view<const T>& q, const quat_view<const T>& neighbour,
                       const quat_view<T>& out, const options& o) noexcept {
-    return run(
-        active_operations<T>().align_signs[index_of(o.accuracy)], [&](batch<T>&) { return check(o); },
-        std::tuple(group_of(q), group_of(neighbour)), std::tuple(group_of(out)));
+    call<T> c(q.size, o);
+    c.read(q);
+    c.read(neighbour);
+    c.write(out);
+    return c.template run<align_signs_kernels>(index_of(o.accuracy));
 }
 
 template <class T>
@@ -65,16 +69,17 @@ bool is_opposite(const quat<T>& a, const quat<T>& b, const options& o) noexcept 
 // in do not, and are made in batches.
 template <class T>
 status along_sequence(const quat_view<const T>& q, const quat_view<T>& out, const options& o) noexcept {
-    call_streams<T> s(std::tuple(group_of(q)), std::tuple(group_of(out)));
-    if (const status bad = check(s); bad != status::ok || s.size == 0) return bad;
-    if (const status bad = check(o); bad != status::ok) return bad;
+    call<T> c(q.size, o);
+    c.read(q);
+    c.write(out);
+    if (const status bad = c.check_all(); bad != status::ok || q.size == 0) return bad;
 
     constexpr std::size_t block = 256;
     T products[block];  // of each element of a block and the one before it
     quat<T> before{}, last_finite{};
     bits_of<T> turned = 0;
-    for (std::size_t done = 0; done < s.size; done += block) {
-        const std::size_t count = s.size - done < block ? s.size - done : block;
+    for (std::size_t done = 0; done < q.size; done += block) {
+        const std::size_t count = q.size - done < block ? q.size - done : block;
         // In place, the one before the block is no longer as it came in. A product of 0 has it looked at by
         // itself.
         products[0] = 0;

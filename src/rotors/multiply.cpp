@@ -1,6 +1,7 @@
 #include "swivel/multiply.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/swing_twist/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -9,9 +10,11 @@ namespace {
 template <class T>
 status any_type(const quat_view<const T>& a, const quat_view<const T>& b, const quat_view<T>& out,
                 const options& o) noexcept {
-    return run(
-        active_operations<T>().compose[false][index_of(o.accuracy)], [&](batch<T>&) { return check(o); },
-        std::tuple(group_of(a), group_of(b)), std::tuple(group_of(out)));
+    call<T> c(a.size, o);
+    c.read(a);
+    c.read(b);
+    c.write(out);
+    return c.template run<compose_kernels>(0, index_of(o.accuracy));
 }
 
 }  // namespace

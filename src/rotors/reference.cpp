@@ -17,45 +17,41 @@ bool is_finite(const quat<T>& q) {
 template <class T>
 status multiply_all(const quat_view<const T>& a, const quat_view<const T>& b, const quat_view<T>& out,
                     const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(a), group_of(b)),
-                       std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(a, b), std::tuple(out),
                        [&](std::size_t i) { write(out, i, multiply(read(a, i), read(b, i))); });
 }
 
 template <class T>
 status conjugate_all(const quat_view<const T>& q, const quat_view<T>& out, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(q)), std::tuple(group_of(out)),
-                       [&](std::size_t i) {
-                           const quat<T> e = read(q, i);
-                           write(out, i, {-e.x, -e.y, -e.z, e.w});
-                       });
+    return for_each<T>(o, std::tuple(q), std::tuple(out), [&](std::size_t i) {
+        const quat<T> e = read(q, i);
+        write(out, i, {-e.x, -e.y, -e.z, e.w});
+    });
 }
 
 template <class T>
 status normalize_all(const quat_view<const T>& q, const quat_view<T>& out, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(q)), std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(q), std::tuple(out),
                        [&](std::size_t i) { write(out, i, normalized(read(q, i))); });
 }
 
 template <class T>
 status rotate_all(const quat_view<const T>& q, const vec3_view<const T>& v, const vec3_view<T>& out,
                   const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(q), group_of(v)),
-                       std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(q, v), std::tuple(out),
                        [&](std::size_t i) { write(out, i, rotated(read(v, i), read(q, i))); });
 }
 
 template <class T>
 status rotate_all(const quat<T>& q, const vec3_view<const T>& v, const vec3_view<T>& out, const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(v)), std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(v), std::tuple(out),
                        [&](std::size_t i) { write(out, i, rotated(read(v, i), q)); });
 }
 
 template <class T>
 status dot_all(const quat_view<const T>& a, const quat_view<const T>& b, const scalar_view<T>& out,
                const options& o) {
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(a), group_of(b)),
-                       std::tuple(group_of(out)),
+    return for_each<T>(o, std::tuple(a, b), std::tuple(out),
                        [&](std::size_t i) { write(out, i, finite_or_nan(dot(read(a, i), read(b, i)))); });
 }
 
@@ -67,24 +63,21 @@ quat<T> aligned(const quat<T>& q, const quat<T>& neighbour) {
 template <class T>
 status align_signs_all(const quat_view<const T>& q, const quat_view<const T>& neighbour,
                        const quat_view<T>& out, const options& o) {
-    return for_each<T>(
-        [&] { return check(o); }, std::tuple(group_of(q), group_of(neighbour)), std::tuple(group_of(out)),
-        [&](std::size_t i) {
-            const quat<T> e = read(q, i), n = read(neighbour, i);
-            const T product = finite_or_nan(dot(e, n));
-            write(out, i, std::isnan(product) ? quat<T>{product, product, product, product} : aligned(e, n));
-        });
+    return for_each<T>(o, std::tuple(q, neighbour), std::tuple(out), [&](std::size_t i) {
+        const quat<T> e = read(q, i), n = read(neighbour, i);
+        const T product = finite_or_nan(dot(e, n));
+        write(out, i, std::isnan(product) ? quat<T>{product, product, product, product} : aligned(e, n));
+    });
 }
 
 template <class T>
 status align_signs_all(const quat_view<const T>& q, const quat_view<T>& out, const options& o) {
     quat<T> last_finite{};
-    return for_each<T>([&] { return check(o); }, std::tuple(group_of(q)), std::tuple(group_of(out)),
-                       [&](std::size_t i) {
-                           const quat<T> e = aligned(read(q, i), last_finite);
-                           if (is_finite(e)) last_finite = e;
-                           write(out, i, e);
-                       });
+    return for_each<T>(o, std::tuple(q), std::tuple(out), [&](std::size_t i) {
+        const quat<T> e = aligned(read(q, i), last_finite);
+        if (is_finite(e)) last_finite = e;
+        write(out, i, e);
+    });
 }
 
 }  // namespace

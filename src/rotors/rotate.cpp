@@ -1,6 +1,7 @@
 #include "swivel/rotate.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/rotors/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -9,23 +10,24 @@ namespace {
 template <class T>
 status by_each(const quat_view<const T>& q, const vec3_view<const T>& v, const vec3_view<T>& out,
                const options& o) noexcept {
-    return run(
-        active_operations<T>().rotate[false][index_of(o.accuracy)], [&](batch<T>&) { return check(o); },
-        std::tuple(group_of(q), group_of(v)), std::tuple(group_of(out)));
+    call<T> c(q.size, o);
+    c.read(q);
+    c.read(v);
+    c.write(out);
+    return c.template run<rotate_kernels>(index_of(o.accuracy));
 }
 
 template <class T>
 status by_one(const quat<T>& q, const vec3_view<const T>& v, const vec3_view<T>& out,
               const options& o) noexcept {
-    const auto set_numbers = [&](batch<T>& b) {
-        b.uniform[0] = q.x;
-        b.uniform[1] = q.y;
-        b.uniform[2] = q.z;
-        b.uniform[3] = q.w;
-        return check(o);
-    };
-    return run(active_operations<T>().rotate[true][index_of(o.accuracy)], set_numbers,
-               std::tuple(group_of(v)), std::tuple(group_of(out)));
+    call<T> c(v.size, o);
+    c.read(v);
+    c.write(out);
+    c.number(0, q.x);
+    c.number(1, q.y);
+    c.number(2, q.z);
+    c.number(3, q.w);
+    return c.template run<rotate_by_one_kernels>(index_of(o.accuracy));
 }
 
 }  // namespace

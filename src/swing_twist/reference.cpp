@@ -118,16 +118,9 @@ quat<T> compose_about(axis a, const factors<T>& f, product order) {
 template <class T, class Body, class... Out>
 status for_each_about_axis(const quat_view<const T>& q, const twist_axis<T>& a, const options& o, Body body,
                            const Out&... out) {
-    const component_order& order = order_for(a, o.order);
-    batch<T> b;
-    std::size_t size = 0;
-    const status bad = with_projected(q, a, order, [&](const auto& reads) {
-        return check_call<T>([&] { return set_numbers(b, order, a, o); }, reads, std::tuple(out...), size);
-    });
-    if (bad != status::ok) return bad;
     unit_axis<T> unit{};
     if (a.kind == twist_axis<T>::form::uniform) make_unit(a.uniform, unit);
-    for (std::size_t i = 0; i < size; ++i) {
+    return for_each<T>(o, std::tuple(q, a), std::tuple(out...), [&](std::size_t i) {
         switch (a.kind) {
             case twist_axis<T>::form::coordinate:
                 body(i, read(q, i), a.coordinate);
@@ -139,8 +132,7 @@ status for_each_about_axis(const quat_view<const T>& q, const twist_axis<T>& a, 
                 body(i, read(q, i), normalized(read(a.per_element, i)));
                 break;
         }
-    }
-    return status::ok;
+    });
 }
 
 template <class T, class... Signs>
@@ -153,7 +145,7 @@ status decompose_all(const quat_view<const T>& q, const twist_axis<T>& a, const 
         write(twist, i, twist_about(about_axis, in, h));
         ((*element(signs.data, i, signs.stride) = std::copysign(T(1), in.w)), ...);
     };
-    return for_each_about_axis(q, a, o, body, group_of(swing), group_of(twist), group_of(signs)...);
+    return for_each_about_axis(q, a, o, body, swing, twist, signs...);
 }
 
 template <class T, class... Signs>
@@ -170,7 +162,7 @@ status decompose_all(const quat_view<const T>& q, axis a, const factor_view<T>& 
         out.tc[i] = h.cosine;
         ((*element(signs.data, i, signs.stride) = std::copysign(T(1), in.w)), ...);
     };
-    return for_each_about_axis(q, twist_axis<T>(a), o, body, group_of(out, o.order), group_of(signs)...);
+    return for_each_about_axis(q, twist_axis<T>(a), o, body, out, signs...);
 }
 
 template <class T>
@@ -181,7 +173,7 @@ status twist_all(const quat_view<const T>& q, const twist_axis<T>& a, const quat
         if (o.positive_twist) h = positive(h, in.w);
         write(out, i, twist_about(about_axis, in, h));
     };
-    return for_each_about_axis(q, a, o, body, group_of(out));
+    return for_each_about_axis(q, a, o, body, out);
 }
 
 template <class T>
@@ -191,7 +183,7 @@ status swing_all(const quat_view<const T>& q, const twist_axis<T>& a, const quat
         const half_twist<T> h = half_twist_about(about_axis, in, threshold_of<T>(o));
         write(out, i, swing_about(about_axis, in, h, o.order));
     };
-    return for_each_about_axis(q, a, o, body, group_of(out));
+    return for_each_about_axis(q, a, o, body, out);
 }
 
 template <class T>
@@ -203,7 +195,7 @@ status twist_angle_all(const quat_view<const T>& q, const twist_axis<T>& a, cons
         // A sine of -0 beside a negative cosine would give -2 pi, which is outside the range.
         *element(radians.data, i, radians.stride) = 2 * atan2_of(h.sine + T(0), h.cosine);
     };
-    return for_each_about_axis(q, a, o, body, group_of(radians));
+    return for_each_about_axis(q, a, o, body, radians);
 }
 
 template <class T, class... Signs>
@@ -214,33 +206,28 @@ bool any_negative([[maybe_unused]] std::size_t i, const Signs&... signs) {
 template <class T, class... Signs>
 status compose_all(const quat_view<const T>& swing, const quat_view<const T>& twist, const quat_view<T>& q,
                    const options& o, const Signs&... signs) {
-    return for_each<T>([&] { return check(o); },
-                       std::tuple(group_of(swing), group_of(twist), group_of(signs)...),
-                       std::tuple(group_of(q)),
-                       [&](std::size_t i) {
-                           const quat<T> s = read(swing, i);
-                           quat<T> t = read(twist, i);
-                           if (any_negative<T>(i, signs...)) t = {-t.x, -t.y, -t.z, -t.w};
-                           write(q, i, o.order == product::swing_twist ? multiply(s, t) : multiply(t, s));
-                       });
+    return for_each<T>(o, std::tuple(swing, twist, signs...), std::tuple(q), [&](std::size_t i) {
+        const quat<T> s = read(swing, i);
+        quat<T> t = read(twist, i);
+        if (any_negative<T>(i, signs...)) t = {-t.x, -t.y, -t.z, -t.w};
+        write(q, i, o.order == product::swing_twist ? multiply(s, t) : multiply(t, s));
+    });
 }
 
 template <class T, class... Signs>
 status compose_all(const factor_view<const T>& in, axis a, const quat_view<T>& q, const options& o,
                    const Signs&... signs) {
-    const auto numbers = [&] {
-        const status bad = check(o);
-        return bad != status::ok ? bad : check(a);
-    };
-    return for_each<T>(numbers, std::tuple(group_of(in, o.order), group_of(signs)...),
-                       std::tuple(group_of(q)), [&](std::size_t i) {
-                           factors<T> f = read(in, i);
-                           if (any_negative<T>(i, signs...)) {
-                               f.ts = -f.ts;
-                               f.tc = -f.tc;
-                           }
-                           write(q, i, compose_about(a, f, o.order));
-                       });
+    return for_each<T>(
+        o, std::tuple(in, signs...), std::tuple(q),
+        [&](std::size_t i) {
+            factors<T> f = read(in, i);
+            if (any_negative<T>(i, signs...)) {
+                f.ts = -f.ts;
+                f.tc = -f.tc;
+            }
+            write(q, i, compose_about(a, f, o.order));
+        },
+        check(a));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "swivel/swing.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/swing_twist/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -10,8 +11,11 @@ template <class T>
 status any_type(const quat_view<const T>& q, const twist_axis<T>& a, const quat_view<T>& out,
                 const options& o) noexcept {
     const component_order& order = order_for(a, o.order);
-    return project(active_operations<T>().swing[order.form][index_of(o.accuracy)], q, a, order, o,
-                   group_of(out, order));
+    call<T> c(q.size, o);
+    c.read(q, order.places);
+    c.about(a, order);
+    c.write(out, order.places);
+    return c.template run<swing_kernels>(order.form, index_of(o.accuracy));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "swivel/twist_angle.hpp"
 
-#include "src/call/arguments.hpp"
+#include "kernels/swing_twist/tables.hpp"
+#include "src/call/call.hpp"
 
 namespace swivel {
 
@@ -10,8 +11,12 @@ template <class T>
 status any_type(const quat_view<const T>& q, const twist_axis<T>& a, const scalar_view<T>& out,
                 const options& o) noexcept {
     const component_order& order = order_for(a, o.order);
-    return project(active_operations<T>().twist_angle[order.form][o.positive_twist][index_of(o.accuracy)], q,
-                   a, order, o, group_of(out));
+    call<T> c(q.size, o);
+    c.read(q, order.places);
+    c.about(a, order);
+    c.write(out);
+    c.number(5, o.positive_twist ? T(-0.0) : T(0));
+    return c.template run<twist_angle_kernels>(order.form, index_of(o.accuracy));
 }
 
 }  // namespace

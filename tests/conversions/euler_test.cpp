@@ -24,9 +24,11 @@ struct named_order {
     euler_order order;
     const char* axes;
 };
-constexpr named_order all_orders[] = {{euler_order::xyz, "xyz"}, {euler_order::xzy, "xzy"},
-                                      {euler_order::yxz, "yxz"}, {euler_order::yzx, "yzx"},
-                                      {euler_order::zxy, "zxy"}, {euler_order::zyx, "zyx"}};
+constexpr named_order all_orders[] = {
+    {euler_order::xyz, "xyz"}, {euler_order::xzy, "xzy"}, {euler_order::yxz, "yxz"},
+    {euler_order::yzx, "yzx"}, {euler_order::zxy, "zxy"}, {euler_order::zyx, "zyx"},
+    {euler_order::xyx, "xyx"}, {euler_order::xzx, "xzx"}, {euler_order::yxy, "yxy"},
+    {euler_order::yzy, "yzy"}, {euler_order::zxz, "zxz"}, {euler_order::zyz, "zyz"}};
 
 // The bounds of euler.hpp.
 constexpr double from_bound = 4.5, back_bound = 8, angle_bound = 7;
@@ -38,12 +40,25 @@ auto& component(V& v, char c) {
     return c == 'x' ? v.x : c == 'y' ? v.y : v.z;
 }
 
+bool is_proper(const char* axes) { return axes[0] == axes[2]; }
+
+// The axis of the third rotation, or the one that is left.
+char last_axis(const char* axes) {
+    return is_proper(axes) ? static_cast<char>('x' + 'y' + 'z' - axes[0] - axes[1]) : axes[2];
+}
+
+// By axis, or one after the other.
+template <class V>
+auto& angle(V& v, const char* axes, int k) {
+    return component(v, is_proper(axes) ? "xyz"[k] : axes[k]);
+}
+
 // The definition: the rotation named first is the outermost.
 template <class W>
 quat<W> product_of_turns(const vec3<W>& radians, const char* axes) {
     quat<W> q{0, 0, 0, 1};
     for (int k = 0; k < 3; ++k) {
-        const W half = component(radians, axes[k]) / 2;
+        const W half = angle(radians, axes, k) / 2;
         quat<W> turn{0, 0, 0, cosine(half)};
         component(turn, axes[k]) = sine(half);
         q = times(q, turn);
@@ -96,6 +111,7 @@ TEST_P(Euler, FromIsTheProductOfThreeTurnsDouble) { from_is_the_product<double>(
 
 TEST_P(Euler, OrdersAreThoseOfTheChannelsOfABvhFile) {
     for (const named_order& o : all_orders) {
+        if (is_proper(o.axes)) continue;
         std::string channels = "CHANNELS 3";
         for (int k = 0; k < 3; ++k)
             channels += ' ' + std::string(1, static_cast<char>(o.axes[k] - 'x' + 'X')) + "rotation";
@@ -110,7 +126,7 @@ TEST_P(Euler, OrdersAreThoseOfTheChannelsOfABvhFile) {
         for (std::size_t frame = 0; frame < 2; ++frame) {
             vec3<double> a{};
             for (int k = 0; k < 3; ++k)
-                component(a, o.axes[k]) = (4 + k + 6 * static_cast<double>(frame)) * pi / 180;
+                angle(a, o.axes, k) = (4 + k + 6 * static_cast<double>(frame)) * pi / 180;
             radians.set(frame, a);
         }
         ASSERT_EQ(from_euler(radians.view(), o.order, q.view()), status::ok);
@@ -119,17 +135,21 @@ TEST_P(Euler, OrdersAreThoseOfTheChannelsOfABvhFile) {
     }
 }
 
-// Random ones, some with the second angle at every distance from +-90 degrees, some in the lock itself, of
-// all lengths.
+// Random ones, some with the second angle at every distance from +-90 degrees, of proper orders from 0 and 180, some
+// in the lock itself, of all lengths.
 template <class T>
 std::vector<quat<T>> all_rotations(generator& g, const char* axes, bool any_length) {
     std::vector<quat<T>> all;
     for (int i = 0; i < 10000; ++i) all.push_back(random_rotation<T>(g));
     const auto add = [&](double off, double first, double third) {
         vec3<double> a{};
-        component(a, axes[0]) = first;
-        component(a, axes[1]) = (g() % 2 == 0 ? 1 : -1) * (pi / 2 - off);
-        component(a, axes[2]) = third;
+        const bool one_side = g() % 2 == 0;
+        angle(a, axes, 0) = first;
+        if (is_proper(axes))
+            angle(a, axes, 1) = one_side ? off : pi - off;
+        else
+            angle(a, axes, 1) = (one_side ? 1 : -1) * (pi / 2 - off);
+        angle(a, axes, 2) = third;
         const quat<double> q = product_of_turns(a, axes);
         all.push_back(rounded<T>(q.x, q.y, q.z, q.w));
     };
@@ -140,16 +160,21 @@ std::vector<quat<T>> all_rotations(generator& g, const char* axes, bool any_leng
     for (int i = -4; i <= 4; ++i)
         for (int k = -4; k <= 4; ++k)
             for (const double off : {0.0, 0.0, pi / 4, pi / 2, 3 * pi / 4}) add(off, i * pi / 4, k * pi / 4);
-    // Exactly in the lock: the components are equal in pairs.
+    // Exactly in the lock: the components are equal in pairs, or two of them are 0.
     for (int i = 0; i < 500; ++i) {
         const quat<T> r = random_rotation<T>(g);
         quat<T> q{};
         const T sign = g() % 2 == 0 ? T(1) : T(-1);
-        q.w = r.w;
-        component(q, axes[1]) = sign * r.w;
-        component(q, axes[0]) = r.x;
         const bool odd = (axes[1] - axes[0] + 3) % 3 == 2;
-        component(q, axes[2]) = odd ? -sign * r.x : sign * r.x;
+        if (is_proper(axes)) {
+            (sign > 0 ? q.w : component(q, axes[1])) = r.w;
+            component(q, sign > 0 ? axes[0] : last_axis(axes)) = r.x;
+        } else {
+            q.w = r.w;
+            component(q, axes[1]) = sign * r.w;
+            component(q, axes[0]) = r.x;
+            component(q, axes[2]) = odd ? -sign * r.x : sign * r.x;
+        }
         const T length = static_cast<T>(1 / norm(widen<double>(q)));
         all.push_back({q.x * length, q.y * length, q.z * length, q.w * length});
     }
@@ -184,9 +209,13 @@ void recomposes() {
                 double worst = 0;
                 for (std::size_t i = 0; i < n; ++i) {
                     const vec3<T> a = radians.get(i);
-                    ASSERT_LE(std::fabs(component(a, o.axes[0])), T(pi)) << i;
-                    ASSERT_LE(std::fabs(component(a, o.axes[1])), T(pi / 2)) << i;
-                    ASSERT_LE(std::fabs(component(a, o.axes[2])), T(pi)) << i;
+                    const T second = angle(a, o.axes, 1);
+                    ASSERT_LE(std::fabs(angle(a, o.axes, 0)), T(pi)) << i;
+                    if (is_proper(o.axes))
+                        ASSERT_TRUE(second >= 0 && second <= T(pi)) << i << ": " << second;
+                    else
+                        ASSERT_LE(std::fabs(second), T(pi / 2)) << i;
+                    ASSERT_LE(std::fabs(angle(a, o.axes, 2)), T(pi)) << i;
                     const quat<W> in = widen<W>(all[i]);
                     const W length = norm(in);
                     worst = std::max(worst,
@@ -221,29 +250,37 @@ void angles() {
             double worst[3] = {0, 0, 0};
             std::size_t locked = 0;
             for (std::size_t i = 0; i < n; ++i) {
-                // From the elements of the matrix of the rotation.
+                // From the elements of the matrix of the rotation; of a proper order the points (w, a) and (b, c),
+                // their product and quotient.
                 const quat<W> in = widen<W>(all[i]);
                 const W size = dot(in, in), odd = (o.axes[1] - o.axes[0] + 3) % 3 == 2 ? W(-1) : W(1);
                 const W a = component(in, o.axes[0]), b = component(in, o.axes[1]),
-                        c = odd * component(in, o.axes[2]), w = in.w;
-                const W cosine_of_second = root((w + b) * (w + b) + (a + c) * (a + c)) *
+                        c = odd * component(in, last_axis(o.axes)), w = in.w;
+                const bool proper = is_proper(o.axes);
+                const W product_of_lengths = 2 * root(w * w + a * a) * root(b * b + c * c) / size;
+                const W cosine_of_tilted = root((w + b) * (w + b) + (a + c) * (a + c)) *
                                            root((w - b) * (w - b) + (a - c) * (a - c)) / size;
-                const W sine_of_second = 2 * (w * b + a * c) / size;
-                const W sine_a = 2 * (w * a - b * c), cosine_a = w * w - a * a - b * b + c * c;
-                const W sine_c = 2 * (w * c - a * b), cosine_c = w * w + a * a - b * b - c * c;
+                // The lock is where this is 0.
+                const W width = proper ? product_of_lengths : cosine_of_tilted;
+                const W sine_of_second = proper ? product_of_lengths : 2 * (w * b + a * c) / size;
+                const W cosine_of_second = proper ? (w * w + a * a - b * b - c * c) / size : cosine_of_tilted;
+                const W sine_a = proper ? w * c + a * b : 2 * (w * a - b * c);
+                const W cosine_a = proper ? w * b - a * c : w * w - a * a - b * b + c * c;
+                const W sine_c = proper ? a * b - w * c : 2 * (w * c - a * b);
+                const W cosine_c = proper ? w * b + a * c : w * w + a * a - b * b - c * c;
                 const vec3<T> got = radians.get(i);
-                const auto off = [&](char which, W want) {
-                    W d = magnitude(W(component(got, which)) - want);
+                const auto off = [&](int which, W want) {
+                    W d = magnitude(W(angle(got, o.axes, which)) - want);
                     if (d > whole / 2) d = magnitude(d - whole);
                     return double(d);
                 };
-                worst[1] = std::max(worst[1], off(o.axes[1], angle_of(sine_of_second, cosine_of_second)));
-                if (double(cosine_of_second) < 0.9 * lock<T>) {
-                    ASSERT_EQ(component(got, o.axes[2]), T(0)) << i;
+                worst[1] = std::max(worst[1], off(1, angle_of(sine_of_second, cosine_of_second)));
+                if (double(width) < 0.9 * lock<T>) {
+                    ASSERT_EQ(angle(got, o.axes, 2), T(0)) << i;
                     ++locked;
-                } else if (double(cosine_of_second) > 1.1 * lock<T>) {
-                    worst[0] = std::max(worst[0], off(o.axes[0], angle_of(sine_a, cosine_a)));
-                    worst[2] = std::max(worst[2], off(o.axes[2], odd * angle_of(sine_c, cosine_c)));
+                } else if (double(width) > 1.1 * lock<T>) {
+                    worst[0] = std::max(worst[0], off(0, angle_of(sine_a, cosine_a)));
+                    worst[2] = std::max(worst[2], off(2, (proper ? W(1) : odd) * angle_of(sine_c, cosine_c)));
                 }
             }
             ASSERT_GT(locked, 100U);
@@ -305,7 +342,7 @@ TEST_P(Euler, TheIdentityAndTheZeroQuaternionHaveNoAngles) {
 }
 
 TEST_P(Euler, RefusesAnOrderThatIsNone) {
-    const auto none = static_cast<euler_order>(6);
+    const auto none = static_cast<euler_order>(12);
     quat_buffer<float> q(1, layout::soa);
     vec3_buffer<float> a(1, layout::soa);
     q.set(0, {0, 0, 0, 1});

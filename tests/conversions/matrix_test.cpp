@@ -17,7 +17,7 @@ class Matrix : public per_isa {};
 INSTANTIATE_TEST_SUITE_P(Isa, Matrix, testing::ValuesIn(usable_isas()), isa_name);
 
 // The bounds of matrix.hpp.
-constexpr double to_bound = 4, from_bound = 4;
+constexpr double to_bound = 4.5, from_bound = 4;
 constexpr double unit_bound(precision p) { return p == precision::fast ? 4 : 3; }
 
 // The elements xx, xy, xz, yx ... zz: the columns are what q makes of the basis vectors.

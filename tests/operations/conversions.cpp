@@ -101,7 +101,9 @@ void add_conversions(std::vector<operation<T>>& all) {
 
     const std::pair<const char*, euler_order> orders[] = {
         {"/xyz", euler_order::xyz}, {"/xzy", euler_order::xzy}, {"/yxz", euler_order::yxz},
-        {"/yzx", euler_order::yzx}, {"/zxy", euler_order::zxy}, {"/zyx", euler_order::zyx}};
+        {"/yzx", euler_order::yzx}, {"/zxy", euler_order::zxy}, {"/zyx", euler_order::zyx},
+        {"/xyx", euler_order::xyx}, {"/xzx", euler_order::xzx}, {"/yxy", euler_order::yxy},
+        {"/yzy", euler_order::yzy}, {"/zxz", euler_order::zxz}, {"/zyz", euler_order::zyz}};
     for (const auto& [name, order] : orders) {
         const euler_order by = order;
         all.push_back({std::string("from_euler") + name,

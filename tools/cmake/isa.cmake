@@ -1,11 +1,10 @@
-# The ISAs of the build: one row each, "name;processor pattern;flags". Each becomes an OBJECT library with flags of
+# The ISAs of the build, best first: one row each, "name|processor|flags". Each becomes an OBJECT library with flags of
 # its own, whose objects go into the static library; the rest of the library has the baseline flags.
 
 set(swivel_isa_rows
-    "sse2|x86_64|-msse2"
-    "sse4|x86_64|-msse4.1"
-    "avx2|x86_64|-mavx2 -mfma"
     "avx512|x86_64|-mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx512vl -mfma"
+    "avx2|x86_64|-mavx2 -mfma"
+    "sse2|x86_64|-msse2"
     "neon64|aarch64|")
 set(SWIVEL_ISAS "" CACHE STRING "ISAs to build kernels for besides the baseline; empty: all")
 set(swivel_baseline sse2 neon64)
@@ -35,8 +34,12 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
     set(swivel_kernel_warnings -Wno-uninitialized -Wno-maybe-uninitialized)
 endif()
 
-# Adds the kernels of every ISA that the processor has to the target.
+# Adds the kernels of every ISA that the processor has to the target. Every source kernels/<family>/<name>.cpp is
+# compiled once for each, by way of a file that names the ISA: the objects have names of their own, by which they are
+# told apart in the archive.
 function(swivel_add_kernels target)
+    file(GLOB sources RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/kernels/*/*.cpp)
+    set(compiled "")
     foreach(row IN LISTS swivel_isa_rows)
         string(REPLACE "|" ";" row "${row}")
         list(GET row 0 isa)
@@ -46,20 +49,30 @@ function(swivel_add_kernels target)
             continue()
         endif()
         separate_arguments(flags)
-        add_library(swivel_${isa} OBJECT kernels/isa/${isa}.cpp)
+        set(stubs "")
+        foreach(source IN LISTS sources)
+            get_filename_component(name ${source} NAME_WE)
+            set(stub ${CMAKE_CURRENT_BINARY_DIR}/kernels/${name}.${isa}.cpp)
+            file(CONFIGURE OUTPUT ${stub} CONTENT "#include \"@source@\"\n" @ONLY)
+            list(APPEND stubs ${stub})
+        endforeach()
+        add_library(swivel_${isa} OBJECT ${stubs})
         target_compile_features(swivel_${isa} PRIVATE cxx_std_20)
+        target_compile_definitions(swivel_${isa} PRIVATE SWIVEL_KERNEL_ISA=${isa})
         target_include_directories(swivel_${isa} PRIVATE ${PROJECT_SOURCE_DIR})
         target_include_directories(swivel_${isa} SYSTEM PRIVATE "${swivel_xsimd}")
         # Always -O2, also in a debug build: without inlining, functions of xsimd are emitted under names that two
         # ISAs share, and the linker keeps either. No exceptions and no link-time optimisation for the same reason.
+        # Sections for each function and table, so that a program can leave out what it does not call.
         target_compile_options(swivel_${isa} PRIVATE
-            ${swivel_warnings} ${swivel_kernel_warnings} ${flags}
-            -O2 -ffp-contract=off -fno-exceptions -fno-rtti -fno-math-errno -fno-lto)
+            ${swivel_warnings} ${swivel_kernel_warnings} ${flags} -O2 -ffp-contract=off -fno-exceptions -fno-rtti
+            -fno-math-errno -fno-lto -ffunction-sections -fdata-sections)
         set_target_properties(swivel_${isa} PROPERTIES
             POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF INTERPROCEDURAL_OPTIMIZATION OFF
             CXX_VISIBILITY_PRESET hidden)
         target_sources(${target} PRIVATE $<TARGET_OBJECTS:swivel_${isa}>)
-        string(TOUPPER ${isa} upper)
-        target_compile_definitions(${target} PRIVATE SWIVEL_HAS_${upper})
+        list(APPEND compiled ${isa})
     endforeach()
+    list(JOIN compiled "," compiled)
+    target_compile_definitions(${target} PRIVATE "SWIVEL_COMPILED_ISAS=${compiled}")
 endfunction()

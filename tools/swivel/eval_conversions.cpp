@@ -69,7 +69,13 @@ void add_order(CLI::App& app, eval_settings& settings) {
                 {"yxz", euler_order::yxz},
                 {"yzx", euler_order::yzx},
                 {"zxy", euler_order::zxy},
-                {"zyx", euler_order::zyx}},
+                {"zyx", euler_order::zyx},
+                {"xyx", euler_order::xyx},
+                {"xzx", euler_order::xzx},
+                {"yxy", euler_order::yxy},
+                {"yzy", euler_order::yzy},
+                {"zxz", euler_order::zxz},
+                {"zyz", euler_order::zyz}},
                "Order of the three rotations, the outermost first, as the channels of a BVH file have it");
 }
 
@@ -175,7 +181,8 @@ constinit const eval_operation eval_to_matrix = {
 constinit const eval_operation eval_from_euler = {
     "from_euler",
     "Rotations from three angles about the coordinate axes",
-    "Reads ex ey ez, the angles about x, y and z in radians, whatever the order. Writes qx qy qz qw.\n\n"
+    "Reads ex ey ez, the angles about x, y and z in radians, whatever the order; for orders such as zxz the\n"
+    "first, second and third angle. Writes qx qy qz qw.\n\n"
     "Examples:\n"
     "  printf 'ex ey ez\\n0.1 0.2 0.3\\n' | swivel eval from_euler --order zxy",
     add_order,
@@ -190,7 +197,8 @@ constinit const eval_operation eval_to_euler = {
     "Rotations as three angles about the coordinate axes",
     "Reads qx qy qz qw, of any length. Writes ex ey ez, the angles about x, y and z in radians: the second\n"
     "of the order in [-pi/2, pi/2], the others in [-pi, pi]. Where the second is pi/2 or -pi/2 the third is\n"
-    "0.\n\n"
+    "0. For orders such as zxz they are the first, second and third angle, the second in [0, pi], and where\n"
+    "it is 0 or pi the third is 0.\n\n"
     "Examples:\n"
     "  printf 'qx qy qz qw\\n0 0 0.6 0.8\\n' | swivel eval to_euler --order zxy",
     add_order,
