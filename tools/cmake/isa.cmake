@@ -53,7 +53,8 @@ function(swivel_add_kernels target)
         foreach(source IN LISTS sources)
             get_filename_component(name ${source} NAME_WE)
             set(stub ${CMAKE_CURRENT_BINARY_DIR}/kernels/${name}.${isa}.cpp)
-            file(CONFIGURE OUTPUT ${stub} CONTENT "#include \"@source@\"\n" @ONLY)
+            file(CONFIGURE OUTPUT ${stub} @ONLY
+                CONTENT "#include \"@source@\"  // NOLINT(bugprone-suspicious-include): once for each ISA\n")
             list(APPEND stubs ${stub})
         endforeach()
         add_library(swivel_${isa} OBJECT ${stubs})
@@ -63,10 +64,14 @@ function(swivel_add_kernels target)
         target_include_directories(swivel_${isa} SYSTEM PRIVATE "${swivel_xsimd}")
         # Always -O2, also in a debug build: without inlining, functions of xsimd are emitted under names that two
         # ISAs share, and the linker keeps either. No exceptions and no link-time optimisation for the same reason.
-        # Sections for each function and table, so that a program can leave out what it does not call.
+        # Sections for each function and table, so that a program can leave out what it does not call. No debug
+        # information: everything is inlined, and following each value takes the compiler gigabytes.
         target_compile_options(swivel_${isa} PRIVATE
-            ${swivel_warnings} ${swivel_kernel_warnings} ${flags} -O2 -ffp-contract=off -fno-exceptions -fno-rtti
+            ${swivel_warnings} ${swivel_kernel_warnings} ${flags} -O2 -g0 -ffp-contract=off -fno-exceptions -fno-rtti
             -fno-math-errno -fno-lto -ffunction-sections -fdata-sections)
+        if(SWIVEL_SANITIZE)
+            target_compile_options(swivel_${isa} PRIVATE -fno-sanitize=all)
+        endif()
         set_target_properties(swivel_${isa} PROPERTIES
             POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF INTERPROCEDURAL_OPTIMIZATION OFF
             CXX_VISIBILITY_PRESET hidden)
