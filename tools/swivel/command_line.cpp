@@ -49,8 +49,9 @@ void command_line::add_texts(const std::string& name, const std::string& type,
 }
 
 void command_line::add_value(const std::string& name, const std::string& type,
-                             std::function<void(const std::string&)> read, const std::string& description) {
-    app_->add_option_function<std::string>(name, std::move(read), description)->type_name(type);
+                             const std::function<void(const std::string&)>& read,
+                             const std::string& description) {
+    app_->add_option_function<std::string>(name, read, description)->type_name(type);
 }
 
 int run_command_line(int argc, char** argv, const std::string& description, const std::string& version,

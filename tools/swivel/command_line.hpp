@@ -43,7 +43,7 @@ public:
                    const std::string& description);
     // `read` throws bad_usage.
     void add_value(const std::string& name, const std::string& type,
-                   std::function<void(const std::string&)> read, const std::string& description);
+                   const std::function<void(const std::string&)>& read, const std::string& description);
     // One of a few words.
     template <class T>
     void add_choice(const std::string& name, T& value,
