@@ -23,6 +23,8 @@ compile() { # FOLDER CMAKE-OPTION...
 
 # Repetition in the large: the g++ build runs it on the same kernels.
 large="ManyBlocks|AtEveryLanePosition"
+# What runs no kernel, and so the same code on every processor.
+no_kernel="^Bvh|^Clip|^ComposeArcs|^Reflect"
 
 compile_and_test() { # FOLDER TESTS-LEFT-OUT CMAKE-OPTION...
     compile "$1" "${@:3}" &&
@@ -93,7 +95,7 @@ gate() {
     check "x86-64 Conroe" processor Conroe sse2 "$brief"
     check "x86-64 Haswell" processor Haswell avx2 "$brief-*/sse2"
     check "x86-64 Haswell without XSAVE" processor Haswell,-xsave sse2 "Isa.*:*Golden*"
-    check "aarch64" compile_and_test aarch64 "$large|Consumer" "${aarch64_options[@]}"
+    check "aarch64" compile_and_test aarch64 "$large|$no_kernel|Consumer|FromManyThreads" "${aarch64_options[@]}"
     check "xsimd of Debian 13" newer_xsimd trixie
 }
 

@@ -16,6 +16,32 @@ elseif(swivel_processor MATCHES "^arm64$")
     set(swivel_processor aarch64)
 endif()
 
+# Both are said here rather than found by the first call, or by numbers that differ.
+set(swivel_known "")
+set(swivel_processors "")
+foreach(row IN LISTS swivel_isa_rows)
+    string(REPLACE "|" ";" row "${row}")
+    list(GET row 0 isa)
+    list(GET row 1 processor)
+    list(APPEND swivel_processors ${processor})
+    if(swivel_processor STREQUAL processor)
+        list(APPEND swivel_known ${isa})
+    endif()
+endforeach()
+list(REMOVE_DUPLICATES swivel_processors)
+list(JOIN swivel_processors ", " swivel_processors)
+if(NOT swivel_known OR NOT CMAKE_SIZEOF_VOID_P EQUAL 8)
+    math(EXPR swivel_bits "8 * ${CMAKE_SIZEOF_VOID_P}")
+    message(FATAL_ERROR "swivel has no kernels for ${swivel_processor} in ${swivel_bits} bits, expected a processor of "
+        "64 bits out of: ${swivel_processors}")
+endif()
+foreach(isa IN LISTS SWIVEL_ISAS)
+    if(NOT isa IN_LIST swivel_known)
+        list(JOIN swivel_known ";" swivel_known)
+        message(FATAL_ERROR "SWIVEL_ISAS: '${isa}' is no ISA of ${swivel_processor}, expected some of: ${swivel_known}")
+    endif()
+endforeach()
+
 # xsimd is header only, and Debian's CMake target for it asks for a library that is not there. Naming its folder as
 # an include directory would put all of /usr/include in front of the compiler's own headers, so a folder with
 # nothing but a link to xsimd is used.

@@ -207,6 +207,7 @@ constexpr std::string_view legend =
     "0.\n";
 
 void decompose_clip(const decompose_arguments& arguments) {
+    if (arguments.out) require_other_file(arguments.clip, *arguments.out);
     select_isa(arguments.isa);
     const std::string shown_name = arguments.clip == "-" ? "<stdin>" : arguments.clip;
     const clip::clip c = read_clip(arguments, shown_name);
