@@ -3,7 +3,13 @@
 #
 # usage: tools/test.sh [CTEST-OPTION...]   with g++, optimised, warnings are errors
 #        tools/test.sh --matrix [STEP]     with all other compilers, checkers, processors and releases of xsimd (or the
-#                                          steps whose name contains STEP); lists at the end what failed
+#                                          steps whose name contains STEP), after the tests with g++; lists at the end
+#                                          what failed
+#        tools/test.sh --nightly [STEP]    what takes hours: sanitizers in the kernels, whole suites under emulation,
+#                                          long fuzzing; after the tests with g++ too
+#
+# What each step covers, and how long it takes: docs/testing.md.
+#
 #        tools/test.sh --help
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -21,6 +27,7 @@ run_tests() {
 
 case ${1-} in
     --help | -h) sed -n '2,/^set/{/^set/!s/^# \{0,1\}//p}' tools/test.sh ;;
-    --matrix) exec tools/test_matrix.sh "${@:2}" ;;
+    --matrix) exec tools/test_matrix.sh gate "${@:2}" ;;
+    --nightly) exec tools/test_matrix.sh nightly "${@:2}" ;;
     *) run_tests "$@" ;;
 esac

@@ -32,9 +32,7 @@ template <class V, class T>
 inline scalar_of<V>* take_blocks(staged_group<V, T>& g, scalar_of<V>* room, std::size_t block) noexcept {
     if (g.stride == 1 || (g.components == 1 && g.stride == 0)) return room;
     g.block = room;
-    std::ptrdiff_t place[4];
-    if (g.components == 4) g.array.first = quaternion_array(g.stream, g.stride, place);
-    if (g.array.first != nullptr) g.array.shuffle.set(place);
+    if (g.components == 4) g.array.find(g.stream, g.stride);
     return room + static_cast<std::size_t>(g.components) * block;
 }
 
@@ -48,7 +46,7 @@ inline void fetch(const staged_group<V, T>& g, std::size_t at, std::size_t count
             if (count - e >= V::size)
                 g.array.shuffle.load(from, four);
             else
-                load_first_quaternions(g.array.shuffle, from, count - e, four);
+                load_first_quaternions<V>(g.array.shuffle, from, count - e, four);
             for (std::size_t k = 0; k < 4; ++k) four[k].store_aligned(g.block + k * block + e);
         }
         return;
@@ -71,7 +69,7 @@ inline void put_back(const staged_group<V, T>& g, std::size_t at, std::size_t co
             if (count - e >= V::size)
                 g.array.shuffle.store(four, to);
             else
-                store_first_quaternions(g.array.shuffle, four, to, count - e);
+                store_first_quaternions<V>(g.array.shuffle, four, to, count - e);
         }
         return;
     }

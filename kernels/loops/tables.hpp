@@ -37,7 +37,8 @@ struct deep {
 
 template <class V, class Op>
 void light_any(const batch<scalar_of<V>>& b) noexcept {
-    if (!array_loop<V, Op>(b)) staged_loop<V, Op>(b, light_loop<V, Op>);
+    if (are_arrays<Op>(b)) return array_loop<V, Op>(b);
+    staged_loop<V, Op>(b, light_loop<V, Op>);
 }
 
 template <class V, class W, class Op>

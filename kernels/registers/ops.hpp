@@ -98,9 +98,22 @@ inline constexpr T newton_one = 1;
 
 #endif
 
+// Where the operand of a root or a divisor is a choice of which nothing but one side is used, clang, for which no
+// exception flag counts, takes the root or the quotient of the other. Not of what it cannot see through.
+template <class V>
+inline V chosen(V a) noexcept {
+#if defined(__clang__) && defined(__aarch64__)
+    asm("" : "+w"(a.data));
+#elif defined(__clang__)
+    asm("" : "+x"(a.data));
+#endif
+    return a;
+}
+
 // Correctly rounded on every ISA: xsimd's float versions for NEON are Newton approximations.
 template <class V>
-inline V square_root_of(V a) noexcept {
+inline V square_root_of(V choice) noexcept {
+    const V a = chosen(choice);
 #if defined(__aarch64__)
     if constexpr (sizeof(scalar_of<V>) == 4)
         return V(vsqrtq_f32(a));
@@ -112,7 +125,8 @@ inline V square_root_of(V a) noexcept {
 }
 
 template <class V>
-inline V quotient(V a, V b) noexcept {
+inline V quotient(V a, V divisor) noexcept {
+    const V b = chosen(divisor);
 #if defined(__aarch64__)
     if constexpr (sizeof(scalar_of<V>) == 4)
         return V(vdivq_f32(a, b));
@@ -451,8 +465,6 @@ class quaternion_shuffle {
         return _mm512_shuffle_f64x2(a, b, Lanes);
     }
 
-    // Lane for lane, from those of one index each.
-    static __m512i lanes_of(const index (&each)[V::size]) noexcept { return _mm512_loadu_si512(each); }
     static __m512i sum(__m512i a, __m512i b) noexcept {
         return sizeof(T) == 4 ? _mm512_add_epi32(a, b) : _mm512_add_epi64(a, b);
     }
@@ -464,20 +476,33 @@ class quaternion_shuffle {
         else
             return _mm512_mask_set1_epi64(_mm512_set1_epi64(a), 0xf0, b);
     }
+    // 0, 4, 8 ... in either half.
+    static __m512i every_fourth() noexcept {
+        if constexpr (sizeof(T) == 4)
+            return _mm512_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28, 0, 4, 8, 12, 16, 20, 24, 28);
+        else
+            return _mm512_setr_epi64(0, 4, 8, 12, 0, 4, 8, 12);
+    }
+    // Four numbers below 4, in a byte each, times half a register, for every quaternion; and its number.
+    static __m512i quaternions_of(int bytes) noexcept {
+        const __m128i four = _mm_cvtsi32_si128(bytes);
+        if constexpr (sizeof(T) == 4)
+            return sum(_mm512_slli_epi32(_mm512_broadcast_i32x4(_mm_cvtepu8_epi32(four)), 3),
+                       _mm512_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3));
+        else
+            return sum(_mm512_slli_epi64(_mm512_broadcast_i64x4(_mm256_cvtepu8_epi64(four)), 2),
+                       _mm512_setr_epi64(0, 0, 0, 0, 1, 1, 1, 1));
+    }
 
     __m512i first_two_, last_two_, low_, high_;
 
 public:
-    // slot[k] is the place in a quaternion in memory of the component in register k.
+    // slot[k] is the place in a quaternion in memory of the component in register k. In registers alone: indices
+    // that were just stored one by one could not be loaded as a vector before they have reached the cache.
     void set(const std::ptrdiff_t* slot) noexcept {
-        alignas(64) index every_fourth[V::size], quaternion[V::size];
-        for (int e = 0; e < half; ++e) every_fourth[e] = every_fourth[half + e] = 4 * e;
-        for (int e = 0; e < quarter; ++e)
-            for (int k = 0; k < 4; ++k) quaternion[4 * e + slot[k]] = static_cast<index>(half) * k + e;
-        const __m512i from = lanes_of(every_fourth);
-        first_two_ = sum(from, halves_of(slot[0], slot[1]));
-        last_two_ = sum(from, halves_of(slot[2], slot[3]));
-        low_ = lanes_of(quaternion);
+        first_two_ = sum(every_fourth(), halves_of(slot[0], slot[1]));
+        last_two_ = sum(every_fourth(), halves_of(slot[2], slot[3]));
+        low_ = quaternions_of((1 << (8 * slot[1])) | (2 << (8 * slot[2])) | (3 << (8 * slot[3])));
         high_ = sum(low_, halves_of(quarter, quarter));
     }
 

@@ -75,10 +75,9 @@ public:
     void read(const bivector_view<const T>& b) noexcept { add_input(b.blade, b.size, b.stride, in_order); }
     // One number for all is read over and over. It must outlive the call.
     [[gnu::always_inline]] void read(const parameter<T>& t) noexcept {
-        if (t.is_per_element)
-            read(t.per_element);
-        else
-            add_input({&t.for_all}, batch_.size, 0, in_order);
+        const scalar_view<const T> one{&t.for_all, batch_.size, 0};
+        const scalar_view<const T>& v = t.is_per_element ? t.per_element : one;
+        add_input({v.data}, v.size, v.stride, in_order);
     }
 
     [[gnu::always_inline]] void write(const quat_view<T>& v, const std::uint8_t* places = in_order) noexcept {
@@ -173,8 +172,8 @@ private:
             return {address(stream[0]), address(stream[0]) + sizeof(T)};
         }
         contiguous_ = false;
-        extent e{};
-        extents_suffice_ = find_extent(stream, N, size, stride, written, e) && extents_suffice_;
+        const extent e = extent_of_any<U>(stream, N, size, stride, written);
+        extents_suffice_ = extents_suffice_ && e.end != 0;
         return e;
     }
 
@@ -184,6 +183,9 @@ private:
         group& g = in_[inputs_];
         g = {streams_in_, N, size, stride, look_at(stream, size, stride, false)};
         for (int k = 0; k < N; ++k) batch_.in[streams_in_ + places[k]] = stream[k];
+        for (int k = 0; k < outputs_; ++k)
+            extents_suffice_ =
+                extents_suffice_ && (!g.where.overlaps(out_[k].where) || is_in_place(out_[k], g));
         batch_.in_stride[inputs_++] = size == 1 ? 1 : stride;
         streams_in_ += N;
     }

@@ -14,8 +14,8 @@ std::size_t magnitude(std::ptrdiff_t stride) noexcept {
 template <class T>
 bool fits(std::size_t size, std::ptrdiff_t stride) noexcept {
     constexpr std::size_t most = static_cast<std::size_t>(PTRDIFF_MAX) / sizeof(T);
-    const std::size_t step = magnitude(stride);
-    return step <= most && (step == 0 || size - 1 <= (most - 1) / step);
+    std::size_t reach;
+    return !__builtin_mul_overflow(size - 1, magnitude(stride), &reach) && reach < most;
 }
 
 template <class T>
@@ -84,28 +84,29 @@ status check_group(T* const* stream, group& g, bool written) noexcept {
 }  // namespace
 
 template <class T>
-bool find_extent(T* const* stream, int count, std::size_t size, std::ptrdiff_t stride, bool written,
-                 extent& e) noexcept {
+extent extent_of_any(T* const* stream, int count, std::size_t size, std::ptrdiff_t stride,
+                     bool written) noexcept {
+    constexpr extent unknown{0, 0};
     const T* lowest = stream[0];
     for (int k = 0; k < count; ++k) {
-        if (stream[k] == nullptr) return false;
+        if (stream[k] == nullptr) return unknown;
         if (address(stream[k]) < address(lowest)) lowest = stream[k];
     }
-    if (size == 0 || !fits<T>(size, stride)) return false;
-    e = extent_of(stream, count, size, stride);
-    if (!written) return true;
+    if (size == 0 || !fits<T>(size, stride)) return unknown;
+    const extent e = extent_of(stream, count, size, stride);
+    if (!written) return e;
     // Each in a place of its own of a record: then no two elements of the view meet.
     const std::size_t record = magnitude(stride) < 64 ? magnitude(stride) : 64;
     std::uint64_t taken = 0;
     for (int k = 0; k < count; ++k) {
         const std::uintptr_t bytes = address(stream[k]) - address(lowest);
         const std::uintptr_t place = bytes / sizeof(T);
-        if (bytes % sizeof(T) != 0 || place >= record) return false;
+        if (bytes % sizeof(T) != 0 || place >= record) return unknown;
         const std::uint64_t bit = std::uint64_t{1} << place;
-        if ((taken & bit) != 0) return false;
+        if ((taken & bit) != 0) return unknown;
         taken |= bit;
     }
-    return true;
+    return e;
 }
 
 template <class T>
@@ -134,10 +135,10 @@ status check_elements(const batch<T>& b, std::size_t size, group* in, int inputs
     return status::ok;
 }
 
-template bool find_extent(float* const*, int, std::size_t, std::ptrdiff_t, bool, extent&) noexcept;
-template bool find_extent(double* const*, int, std::size_t, std::ptrdiff_t, bool, extent&) noexcept;
-template bool find_extent(const float* const*, int, std::size_t, std::ptrdiff_t, bool, extent&) noexcept;
-template bool find_extent(const double* const*, int, std::size_t, std::ptrdiff_t, bool, extent&) noexcept;
+template extent extent_of_any(float* const*, int, std::size_t, std::ptrdiff_t, bool) noexcept;
+template extent extent_of_any(double* const*, int, std::size_t, std::ptrdiff_t, bool) noexcept;
+template extent extent_of_any(const float* const*, int, std::size_t, std::ptrdiff_t, bool) noexcept;
+template extent extent_of_any(const double* const*, int, std::size_t, std::ptrdiff_t, bool) noexcept;
 template status check_elements(const batch<float>&, std::size_t, group*, int, group*, int) noexcept;
 template status check_elements(const batch<double>&, std::size_t, group*, int, group*, int) noexcept;
 

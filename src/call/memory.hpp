@@ -26,11 +26,12 @@ struct group {
     extent where;
 };
 
-// The extent of streams of any stride. False where more has to be looked at: a null pointer, more than there
-// is memory, or written streams of which two may share a byte.
+// The extent of streams of any stride; empty where more has to be looked at: a null pointer, more than there is
+// memory, or written streams of which two may share a byte. (Pure: what the caller knows of its own memory stays
+// known across the call.)
 template <class T>
-bool find_extent(T* const* stream, int count, std::size_t size, std::ptrdiff_t stride, bool written,
-                 extent& e) noexcept;
+[[gnu::pure]] extent extent_of_any(T* const* stream, int count, std::size_t size, std::ptrdiff_t stride,
+                                   bool written) noexcept;
 
 // Element for element, what the extents leave open: null pointers, sizes, strides, overlaps. Leaves stride 1
 // in groups of one element.

@@ -14,10 +14,10 @@ status full(const quat_view<const T>& q, const twist_axis<T>& a, const quat_view
     const component_order& order = order_for(a, o.order);
     call<T> c(q.size, o);
     c.read(q, order.places);
-    c.about(a, order);
     c.write(swing, order.places);
     c.write(twist, order.places);
     if (signs != nullptr) c.write(*signs);
+    c.about(a, order);
     c.number(5, o.positive_twist || signs != nullptr ? T(-0.0) : T(0));
     return c.template run<decompose_kernels>(order.form, signs != nullptr, index_of(o.accuracy));
 }
@@ -28,9 +28,9 @@ status compact(const quat_view<const T>& q, axis a, const factor_view<T>& out, c
     const component_order& order = order_for(a, o.order);
     call<T> c(q.size, o);
     c.read(q, order.places);
-    c.about(a, order);
     c.write(out, o.order);
     if (signs != nullptr) c.write(*signs);
+    c.about(a, order);
     c.number(5, o.positive_twist || signs != nullptr ? T(-0.0) : T(0));
     return c.template run<decompose_compact_kernels>(signs != nullptr, index_of(o.accuracy));
 }

@@ -13,8 +13,8 @@ status any_type(const quat_view<const T>& q, const twist_axis<T>& a, const quat_
     const component_order& order = order_for(a, o.order);
     call<T> c(q.size, o);
     c.read(q, order.places);
-    c.about(a, order);
     c.write(out, order.places);
+    c.about(a, order);
     return c.template run<swing_kernels>(order.form, index_of(o.accuracy));
 }
 

@@ -76,7 +76,7 @@ void scale(any_buffer<T>& b, std::size_t i, T by) {
 
 template <class T>
 void same_at_all_lengths() {
-    constexpr std::size_t n = 1440;
+    constexpr std::size_t n = 480;
     for (const operation<T>& op : all_operations<T>()) {
         const domain* d = domain_of(op.name);
         if (d == nullptr) continue;

@@ -2,10 +2,12 @@
 
 import os
 import pty
+import resource
 import signal
 import stat
 import subprocess
 import time
+import unittest
 
 from support import CLIP, COMMAND, HEADER, CommandTest, main, run
 
@@ -135,7 +137,8 @@ class Files(CommandTest):
 
     def test_an_interrupted_command_leaves_nothing(self):
         out = self.path("out.csv", "old")
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT, signal.SIGABRT,
+                       signal.SIGALRM, signal.SIGUSR1, signal.SIGUSR2, signal.SIGXCPU):
             with subprocess.Popen(COMMAND + ["eval", "twist", "--out", out], stdin=subprocess.PIPE) as process:
                 process.stdin.write((HEADER + "0 0 1 0\n" * 200000).encode())
                 process.stdin.flush()
@@ -144,11 +147,42 @@ class Files(CommandTest):
                         break
                     time.sleep(0.01)
                 self.assertEqual(len(listing(self.folder)), 3)
+                self.assertRegex(listing(self.folder)[0], r"^\.out\.csv\.swivel-")
                 process.send_signal(number)
                 process.wait()
                 self.assertNotEqual(process.returncode, 0)
             self.assertEqual(listing(self.folder), ["in.csv", "out.csv"])
             self.assertEqual(self.content("out.csv"), b"old")
+
+    def test_a_file_that_grows_too_large_is_an_error(self):
+        limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+        result = subprocess.run(COMMAND + ["eval", "twist", "--out", self.path("large.csv")],
+                                input=(HEADER + "0 0 1 0\n" * 20000).encode(), capture_output=True,
+                                preexec_fn=limit, timeout=300)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(b"large.csv: cannot write the file: File too large", result.stderr)
+        self.assertEqual(listing(self.folder), ["in.csv"])
+
+    def test_a_clip_is_not_replaced_by_its_table(self):
+        clip = self.path("walk.bvh", CLIP)
+        os.link(clip, self.path("hard.bvh"))
+        os.symlink("walk.bvh", self.path("soft.bvh"))
+        for name in ("walk.bvh", "./walk.bvh", "hard.bvh", "soft.bvh"):
+            out = os.path.join(self.folder, name)
+            self.fails(2, "--out: " + out + " is the file that is read", "decompose", clip, "--out", out)
+        result = subprocess.run(COMMAND + ["decompose", "-", "--out", clip], stdin=open(clip, "rb"),
+                                capture_output=True, timeout=300)
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual(self.content("walk.bvh"), CLIP.encode())
+
+    @unittest.skipUnless(os.geteuid() == 0, "only root gives files away")
+    def test_the_owner_of_a_file_keeps_it(self):
+        out = self.path("out.csv", "old")
+        os.chown(out, 65534, 65534)
+        os.chmod(out, 0o640)
+        self.succeeds("eval", "twist", self.table, "--out", out)
+        about = os.stat(out)
+        self.assertEqual((about.st_uid, about.st_gid, stat.S_IMODE(about.st_mode)), (65534, 65534, 0o640))
 
     def test_a_terminal_sees_progress_and_nobody_else(self):
         for seconds, terminal in ((0, True), (1.5, True), (1.5, False)):

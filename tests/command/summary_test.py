@@ -164,6 +164,24 @@ class Summary(CommandTest):
         result = self.fails(1, clip + ":33:1: 5 rows of motion, expected 4", "decompose", clip, "--strict")
         self.assertEqual(result.stdout, b"")
 
+    def test_a_clip_that_was_cut_off_is_salvaged_when_asked_for(self):
+        whole = CLIP.splitlines(keepends=True)
+        clip = self.path("cut.bvh", "".join(whole[:-2]) + whole[-2][:20])
+        self.fails(1, clip + ":31:", "decompose", clip)
+        result = self.succeeds("decompose", clip, "--salvage", "--joint", "Hand", "--out", self.path("out.csv"))
+        self.assertRegex(result.stderr.decode(), r":31:\d+: warning: row too short: .*; 2 of 4 rows read, expected 12")
+        with open(self.path("out.csv"), encoding="utf-8") as file:
+            self.assertEqual(len(file.readlines()), 1 + 2)
+        self.fails(2, "--strict and --salvage", "decompose", clip, "--strict", "--salvage")
+
+    def test_warnings_of_one_kind_are_counted_beyond_a_hundred(self):
+        joints = "".join(f"JOINT j{i} {{OFFSET 0 1 0 EndSite {{OFFSET 0 1 0}}}}\n" for i in range(200))
+        clip = self.path("many.bvh", "HIERARCHY\nROOT r {OFFSET 0 0 0 CHANNELS 1 Xrotation\n" + joints +
+                         "}\nMOTION\nFrames: 1\nFrame Time: 1\n5\n")
+        lines = self.succeeds("decompose", clip, "--joint", "r").stderr.decode().splitlines()
+        self.assertEqual(len(lines), 101)
+        self.assertEqual(lines[-1], clip + ": warning: 300 more like these")
+
     def test_a_bad_clip_is_refused_with_its_place(self):
         for clip, message in (
             ("", ":1:1: the file is empty, expected HIERARCHY"),

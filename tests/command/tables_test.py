@@ -125,6 +125,15 @@ class Tables(CommandTest):
         self.fails(1, "<stdin>:1:15: the column 'n' is there twice", "eval", "twist", "--pass",
                    stdin="qx qy qz qw n n\n")
 
+    def test_a_header_may_have_a_hundred_thousand_columns(self):
+        names = [f"c{i}" for i in range(100_000)]
+        table = ",".join(names + ["qx", "qy", "qz", "qw"]) + "\n" + "7," * len(names) + "0,0,1,0\n"
+        header, row = self.twist(table, "--pass").decode().splitlines()
+        self.assertEqual(header.split(","), names + ["tx", "ty", "tz", "tw"])
+        self.assertEqual(row, "7," * len(names) + "0,0,1,0")
+        self.fails(1, "<stdin>:1:688903: the column 'c9' is there twice", "eval", "twist", "--pass",
+                   stdin=",".join(names + ["qx", "qy", "qz", "qw", "c9"]) + "\n")
+
     def test_long_tables_stream(self):
         count = 200_003
         table = HEADER + "".join(f"0 0 {i} 1\n" for i in range(count))

@@ -16,6 +16,32 @@ elseif(swivel_processor MATCHES "^arm64$")
     set(swivel_processor aarch64)
 endif()
 
+# Both are said here rather than found by the first call, or by numbers that differ.
+set(swivel_known "")
+set(swivel_processors "")
+foreach(row IN LISTS swivel_isa_rows)
+    string(REPLACE "|" ";" row "${row}")
+    list(GET row 0 isa)
+    list(GET row 1 processor)
+    list(APPEND swivel_processors ${processor})
+    if(swivel_processor STREQUAL processor)
+        list(APPEND swivel_known ${isa})
+    endif()
+endforeach()
+list(REMOVE_DUPLICATES swivel_processors)
+list(JOIN swivel_processors ", " swivel_processors)
+if(NOT swivel_known OR NOT CMAKE_SIZEOF_VOID_P EQUAL 8)
+    math(EXPR swivel_bits "8 * ${CMAKE_SIZEOF_VOID_P}")
+    message(FATAL_ERROR "swivel has no kernels for ${swivel_processor} in ${swivel_bits} bits, expected a processor of "
+        "64 bits out of: ${swivel_processors}")
+endif()
+foreach(isa IN LISTS SWIVEL_ISAS)
+    if(NOT isa IN_LIST swivel_known)
+        list(JOIN swivel_known ";" swivel_known)
+        message(FATAL_ERROR "SWIVEL_ISAS: '${isa}' is no ISA of ${swivel_processor}, expected some of: ${swivel_known}")
+    endif()
+endforeach()
+
 # xsimd is header only, and Debian's CMake target for it asks for a library that is not there. Naming its folder as
 # an include directory would put all of /usr/include in front of the compiler's own headers, so a folder with
 # nothing but a link to xsimd is used.
@@ -53,7 +79,8 @@ function(swivel_add_kernels target)
         foreach(source IN LISTS sources)
             get_filename_component(name ${source} NAME_WE)
             set(stub ${CMAKE_CURRENT_BINARY_DIR}/kernels/${name}.${isa}.cpp)
-            file(CONFIGURE OUTPUT ${stub} CONTENT "#include \"@source@\"\n" @ONLY)
+            file(CONFIGURE OUTPUT ${stub} @ONLY
+                CONTENT "#include \"@source@\"  // NOLINT(bugprone-suspicious-include): once for each ISA\n")
             list(APPEND stubs ${stub})
         endforeach()
         add_library(swivel_${isa} OBJECT ${stubs})
@@ -63,10 +90,14 @@ function(swivel_add_kernels target)
         target_include_directories(swivel_${isa} SYSTEM PRIVATE "${swivel_xsimd}")
         # Always -O2, also in a debug build: without inlining, functions of xsimd are emitted under names that two
         # ISAs share, and the linker keeps either. No exceptions and no link-time optimisation for the same reason.
-        # Sections for each function and table, so that a program can leave out what it does not call.
+        # Sections for each function and table, so that a program can leave out what it does not call. No debug
+        # information: everything is inlined, and following each value takes the compiler gigabytes.
         target_compile_options(swivel_${isa} PRIVATE
-            ${swivel_warnings} ${swivel_kernel_warnings} ${flags} -O2 -ffp-contract=off -fno-exceptions -fno-rtti
+            ${swivel_warnings} ${swivel_kernel_warnings} ${flags} -O2 -g0 -ffp-contract=off -fno-exceptions -fno-rtti
             -fno-math-errno -fno-lto -ffunction-sections -fdata-sections)
+        if(SWIVEL_SANITIZE)
+            target_compile_options(swivel_${isa} PRIVATE -fno-sanitize=all)
+        endif()
         set_target_properties(swivel_${isa} PROPERTIES
             POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF INTERPROCEDURAL_OPTIMIZATION OFF
             CXX_VISIBILITY_PRESET hidden)

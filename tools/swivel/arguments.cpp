@@ -19,8 +19,7 @@ T axis_component(const field& f, const std::string& given) {
     if (!number.fault.empty() || !std::isfinite(number.value)) {
         // One that only f32 cannot hold matters to f32 only, which refuses it later.
         if constexpr (std::is_same_v<T, float>) return std::numeric_limits<float>::quiet_NaN();
-        throw CLI::ValidationError("--axis",
-                                   "'" + given + "': '" + std::string(f.text) + "' is no finite number");
+        throw bad_usage("--axis: '" + given + "': '" + std::string(f.text) + "' is no finite number");
     }
     return number.value;
 }
@@ -29,105 +28,110 @@ axis_vector parse_axis_vector(const std::string& given, const std::string& words
     std::vector<field> fields;
     const bool is_list =
         given.find(',') != std::string::npos && !split_row(given, fields) && fields.size() == 3;
-    if (!is_list) throw CLI::ValidationError("--axis", "'" + given + "' is none of " + words);
+    if (!is_list) throw bad_usage("--axis: '" + given + "' is none of " + words);
     axis_vector v;
     v.f64 = {axis_component<double>(fields[0], given), axis_component<double>(fields[1], given),
              axis_component<double>(fields[2], given)};
     v.f32 = {axis_component<float>(fields[0], given), axis_component<float>(fields[1], given),
              axis_component<float>(fields[2], given)};
     if (v.f64.x == 0 && v.f64.y == 0 && v.f64.z == 0)
-        throw CLI::ValidationError("--axis", "'" + given + "' has no direction");
+        throw bad_usage("--axis: '" + given + "' has no direction");
     return v;
 }
 
 }  // namespace
 
-void require_one_subcommand(CLI::App& app) {
-    app.require_subcommand(0, 1);
-    app.final_callback([&app] {
-        if (app.get_subcommands().empty()) throw CLI::RequiredError("A subcommand");
-    });
+namespace {
+
+std::string names_of_axes(axis_words words) {
+    switch (words) {
+        case axis_words::automatic:
+            return "auto|x|y|z|X,Y,Z";
+        case axis_words::columns:
+            return "x|y|z|X,Y,Z|columns";
+        case axis_words::none:
+            break;
+    }
+    return "x|y|z|X,Y,Z";
 }
 
-CLI::Option* add_axis(CLI::App& app, axis_argument& value, axis_words words) {
-    std::string known;
+}  // namespace
+
+void add_axis(command_line line, axis_argument& value, axis_words words) {
     std::string description = "Axis of the twist: a coordinate axis, or a vector of any length but 0";
-    if (words == axis_words::automatic) {
-        known = "auto|x|y|z|X,Y,Z";
+    if (words == axis_words::automatic)
         description += ", in the frame of each joint; auto: along the bone of each joint (default: auto)";
-    } else if (words == axis_words::columns) {
-        known = "x|y|z|X,Y,Z|columns";
+    else if (words == axis_words::columns)
         description +=
             "; columns: a vector of its own for every row, read from the columns ax ay az (default: z)";
-    } else {
-        known = "x|y|z|X,Y,Z";
+    else
         description += " (default: z)";
-    }
-    return app
-        .add_option_function<std::string>(
-            "--axis",
-            [&value, known, words](const std::string& given) {
-                if (given == "x")
-                    value = swivel::axis::x;
-                else if (given == "y")
-                    value = swivel::axis::y;
-                else if (given == "z")
-                    value = swivel::axis::z;
-                else if (given == "auto" && words == axis_words::automatic)
-                    value = automatic_axis{};
-                else if (given == "columns" && words == axis_words::columns)
-                    value = axis_columns{};
-                else
-                    value = parse_axis_vector(given, known);
-            },
-            description)
-        ->type_name(known);
+    add_axis(line, value, words, description);
 }
 
-void add_product(CLI::App& app, swivel::product& value) {
-    add_choice(app, "--product", value,
-               {{"swing-twist", swivel::product::swing_twist}, {"twist-swing", swivel::product::twist_swing}},
-               "Order of the factors: q = swing twist (the twist is applied first), or q = twist swing");
+void add_axis(command_line line, axis_argument& value, axis_words words, const std::string& description) {
+    const std::string known = names_of_axes(words);
+    line.add_value(
+        "--axis", known,
+        [&value, known, words](const std::string& given) {
+            if (given == "x")
+                value = swivel::axis::x;
+            else if (given == "y")
+                value = swivel::axis::y;
+            else if (given == "z")
+                value = swivel::axis::z;
+            else if (given == "auto" && words == axis_words::automatic)
+                value = automatic_axis{};
+            else if (given == "columns" && words == axis_words::columns)
+                value = axis_columns{};
+            else
+                value = parse_axis_vector(given, known);
+        },
+        description);
 }
 
-void add_precision(CLI::App& app, swivel::precision& value) {
-    add_choice(app, "--precision", value,
-               {{"fast", swivel::precision::fast}, {"reproducible", swivel::precision::reproducible}},
-               "Arithmetic: the quickest, or one that gives the same bits on every ISA");
+void add_product(command_line line, swivel::product& value) {
+    line.add_choice(
+        "--product", value,
+        {{"swing-twist", swivel::product::swing_twist}, {"twist-swing", swivel::product::twist_swing}},
+        "Order of the factors: q = swing twist (the twist is applied first), or q = twist swing");
+}
+
+void add_precision(command_line line, swivel::precision& value) {
+    line.add_choice("--precision", value,
+                    {{"fast", swivel::precision::fast}, {"reproducible", swivel::precision::reproducible}},
+                    "Arithmetic: the quickest, or one that gives the same bits on every ISA");
 }
 
 parameter_argument parse_parameter(const std::string& name, const std::string& given) {
     if (given == "column") return parameter_column{};
     const clip::parsed<double> wide = parse_real<double>(given);
     if (!wide.fault.empty() || !std::isfinite(wide.value))
-        throw CLI::ValidationError(name, "'" + given + "' is neither a finite number nor column");
+        throw bad_usage(name + ": '" + given + "' is neither a finite number nor column");
     const clip::parsed<float> narrow = parse_real<float>(given);
-    if (!narrow.fault.empty()) throw CLI::ValidationError(name, "'" + given + "' is too large for f32");
+    if (!narrow.fault.empty()) throw bad_usage(name + ": '" + given + "' is too large for f32");
     return number{narrow.value, wide.value};
 }
 
-CLI::Option* add_parameter(CLI::App& app, const std::string& name, parameter_argument& value,
-                           const std::string& description) {
-    return app
-        .add_option_function<std::string>(
-            name, [&value, name](const std::string& given) { value = parse_parameter(name, given); },
-            description)
-        ->type_name("NUMBER|column");
+void add_parameter(command_line line, const std::string& name, parameter_argument& value,
+                   const std::string& description) {
+    line.add_value(
+        name, "NUMBER|column",
+        [&value, name](const std::string& given) { value = parse_parameter(name, given); }, description);
 }
 
-void add_pole_threshold(CLI::App& app, double& value) {
-    app.add_option_function<std::string>(
-           "--pole-threshold",
-           [&value](const std::string& given) {
-               const clip::parsed<double> number = parse_real<double>(given);
-               if (!number.fault.empty() || !(number.value >= 0 && number.value <= 1))
-                   throw CLI::ValidationError("--pole-threshold", "'" + given + "' is no number from 0 to 1");
-               value = number.value;
-           },
-           "The twist is left out near the pole, where w^2 + (a.v)^2 <= T |q|^2, that is where the cosine "
-           "of half the swing is at most the root of T; T from 0 to 1 (default: 2^-106 for f64, 2^-48 for "
-           "f32)")
-        ->type_name("T");
+void add_pole_threshold(command_line line, double& value) {
+    line.add_value(
+        "--pole-threshold", "T",
+        [&value](const std::string& given) {
+            const clip::parsed<double> number = parse_real<double>(given);
+            if (!number.fault.empty() || !(number.value >= 0 && number.value <= 1))
+                throw bad_usage("--pole-threshold: '" + given + "' is no number from 0 to 1");
+            value = number.value;
+        },
+        "The twist is left out near the pole, where w^2 + (a.v)^2 <= T |q|^2, that is where the cosine "
+        "of half the swing is at most the root of T; T from 0 to 1 (default: 2^-106 for f64, 2^-48 for "
+        "f32)");
 }
 
 std::string isa_names(bool (*included)(swivel::isa) noexcept) {
@@ -146,19 +150,18 @@ std::optional<swivel::isa> find_isa(const std::string& name) noexcept {
     return std::nullopt;
 }
 
-void add_isa(CLI::App& app, std::optional<swivel::isa>& value) {
-    app.add_option_function<std::string>(
-           "--isa",
-           [&value](const std::string& given) {
-               value = find_isa(given);
-               if (value && swivel::is_usable(*value)) return;
-               throw CLI::ValidationError("--isa", "'" + given + "' is " +
-                                                       (value ? "not usable on this machine" : "unknown") +
-                                                       ", usable are: " + isa_names(swivel::is_usable));
-           },
-           "Instruction set of the kernels, before the environment variable SWIVEL_ISA; default: the best "
-           "usable one")
-        ->type_name("NAME");
+void add_isa(command_line line, std::optional<swivel::isa>& value) {
+    line.add_value(
+        "--isa", "NAME",
+        [&value](const std::string& given) {
+            value = find_isa(given);
+            if (value && swivel::is_usable(*value)) return;
+            throw bad_usage("--isa: '" + given + "' is " +
+                            (value ? "not usable on this machine" : "unknown") +
+                            ", usable are: " + isa_names(swivel::is_usable));
+        },
+        "Instruction set of the kernels, before the environment variable SWIVEL_ISA; default: the best "
+        "usable one");
 }
 
 void select_isa(std::optional<swivel::isa> value) {

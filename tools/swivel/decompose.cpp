@@ -29,11 +29,10 @@ constexpr std::string_view csv_header =
 
 struct decompose_arguments {
     std::string clip;
-    const CLI::Option* joints = nullptr;
+    std::vector<std::string> joints;
     axis_argument axis = automatic_axis{};
-    std::string out;
-    const CLI::Option* out_option = nullptr;
-    bool strict = false;
+    std::optional<std::string> out;
+    clip::read_options reading;
     std::optional<swivel::isa> isa;
     swivel::options options;
 };
@@ -53,12 +52,12 @@ clip::clip read_clip(const decompose_arguments& arguments, const std::string& sh
     clip::read_result result;
     {
         const progress bar("reading " + shown_name, 0);
-        clip::read_options options;
-        options.strict = arguments.strict;
-        result = clip::read_bvh_file(arguments.clip, options);
+        result = clip::read_bvh_file(arguments.clip, arguments.reading);
     }
     for (const clip::diagnostic& w : result.warnings)
         std::cerr << place(shown_name, w) << "warning: " << w.what << ", expected " << w.expected << "\n";
+    if (result.warnings_left_out != 0)
+        std::cerr << shown_name << ": warning: " << result.warnings_left_out << " more like these\n";
     if (!result)
         throw bad_data(place(shown_name, result.error) + result.error.what + ", expected " +
                        result.error.expected);
@@ -85,11 +84,11 @@ bad_usage unknown_joint(const std::string& wanted, const clip::skeleton& s, cons
 std::vector<std::size_t> chosen_joints(const decompose_arguments& arguments, const clip::skeleton& s,
                                        const std::string& file) {
     std::vector<std::size_t> chosen;
-    if (arguments.joints->count() == 0) {
+    if (arguments.joints.empty()) {
         for (std::size_t i = 0; i < s.joints.size(); ++i) chosen.push_back(i);
         return chosen;
     }
-    for (const std::string& name : arguments.joints->results()) {
+    for (const std::string& name : arguments.joints) {
         const std::optional<std::size_t> index = clip::find_joint(s, name);
         if (!index) throw unknown_joint(name, s, file);
         if (std::find(chosen.begin(), chosen.end(), *index) == chosen.end()) chosen.push_back(*index);
@@ -208,6 +207,9 @@ constexpr std::string_view legend =
     "0.\n";
 
 void decompose_clip(const decompose_arguments& arguments) {
+    if (arguments.reading.strict && arguments.reading.salvage)
+        throw bad_usage("--strict and --salvage contradict each other");
+    if (arguments.out) require_other_file(arguments.clip, *arguments.out);
     select_isa(arguments.isa);
     const std::string shown_name = arguments.clip == "-" ? "<stdin>" : arguments.clip;
     const clip::clip c = read_clip(arguments, shown_name);
@@ -215,7 +217,7 @@ void decompose_clip(const decompose_arguments& arguments) {
     const axis_choice axes(arguments.axis, c.skeleton);
 
     std::optional<output> csv;
-    if (arguments.out_option->count() > 0) csv.emplace(arguments.out);
+    if (arguments.out) csv.emplace(*arguments.out);
     if (csv) csv->write(csv_header);
 
     text_table table = empty_table();
@@ -263,31 +265,31 @@ constexpr const char* footer =
     "  swivel decompose walk.bvh\n"
     "  swivel decompose walk.bvh --joint LeftArm --joint RightArm --out arms.csv\n"
     "  swivel decompose walk.bvh --axis 1,0,0 --product twist-swing --out - > walk.csv\n"
-    "  cat walk.bvh | swivel decompose - --strict";
+    "  cat walk.bvh | swivel decompose - --strict\n"
+    "  swivel decompose cut-off.bvh --salvage";
 
 }  // namespace
 
-void add_decompose(CLI::App& program) {
+void add_decompose(command_line program) {
     const auto arguments = std::make_shared<decompose_arguments>();
-    CLI::App* const app = program.add_subcommand(
+    command_line line = program.add_command(
         "decompose", "Factors the joint rotations of a BVH clip into swing and twist; summary and table");
-    app->add_option("CLIP", arguments->clip, "BVH file, - for standard input")->required();
-    arguments->joints = app->add_option("--joint", "Name of a joint, once for every joint; default: all")
-                            ->type_name("NAME")
-                            ->expected(1)
-                            ->allow_extra_args(false)
-                            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    add_axis(*app, arguments->axis, axis_words::automatic);
-    add_product(*app, arguments->options.order);
-    arguments->out_option =
-        app->add_option("--out", arguments->out, "File for the factors in every frame, - for standard output")
-            ->type_name("FILE.csv");
-    app->add_flag("--strict", arguments->strict, "What the reader would warn of is an error");
-    add_precision(*app, arguments->options.accuracy);
-    add_isa(*app, arguments->isa);
-    add_pole_threshold(*app, arguments->options.pole_threshold);
-    app->footer(footer);
-    app->callback([arguments] { decompose_clip(*arguments); });
+    line.add_operand("CLIP", arguments->clip, "BVH file, - for standard input", true);
+    line.add_texts("--joint", "NAME", arguments->joints,
+                   "Name of a joint, once for every joint; default: all");
+    add_axis(line, arguments->axis, axis_words::automatic);
+    add_product(line, arguments->options.order);
+    line.add_value(
+        "--out", "FILE.csv", [arguments](const std::string& given) { arguments->out = given; },
+        "File for the factors in every frame, - for standard output");
+    line.add_flag("--strict", arguments->reading.strict, "What the reader would warn of is an error");
+    line.add_flag("--salvage", arguments->reading.salvage,
+                  "Read the whole rows of a clip that was cut off or damaged, and say how many of how many");
+    add_precision(line, arguments->options.accuracy);
+    add_isa(line, arguments->isa);
+    add_pole_threshold(line, arguments->options.pole_threshold);
+    line.set_footer(footer);
+    line.set_action([arguments] { decompose_clip(*arguments); });
 }
 
 }  // namespace swivel::command

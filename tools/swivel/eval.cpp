@@ -50,24 +50,24 @@ void evaluate(const eval_operation& operation, const eval_arguments& arguments) 
     out.commit();
 }
 
-void add_operation(CLI::App& eval, const eval_operation& operation) {
+void add_operation(command_line eval, const eval_operation& operation) {
     const auto arguments = std::make_shared<eval_arguments>();
-    CLI::App* const app = eval.add_subcommand(operation.name, operation.description);
-    app->add_option("FILE", arguments->file, "Table to read, - for standard input (default: -)");
-    operation.add_options(*app, arguments->settings);
-    add_precision(*app, arguments->settings.options.accuracy);
-    add_choice(*app, "--type", arguments->type, {{"f32", number_type::f32}, {"f64", number_type::f64}},
-               "Numbers that are computed with, read and written");
-    add_isa(*app, arguments->isa);
-    add_choice(*app, "--layout", arguments->stream.layout,
-               {{"soa", memory_layout::soa}, {"aos", memory_layout::aos}},
-               "How quaternions and vectors lie in memory; the compact form is always soa");
-    app->add_flag("--pass", arguments->stream.pass,
+    command_line line = eval.add_command(operation.name, operation.description);
+    line.add_operand("FILE", arguments->file, "Table to read, - for standard input (default: -)");
+    operation.add_options(line, arguments->settings);
+    add_precision(line, arguments->settings.options.accuracy);
+    line.add_choice("--type", arguments->type, {{"f32", number_type::f32}, {"f64", number_type::f64}},
+                    "Numbers that are computed with, read and written");
+    add_isa(line, arguments->isa);
+    line.add_choice("--layout", arguments->stream.layout,
+                    {{"soa", memory_layout::soa}, {"aos", memory_layout::aos}},
+                    "How quaternions and vectors lie in memory; the compact form is always soa");
+    line.add_flag("--pass", arguments->stream.pass,
                   "Copy the columns that are not read, whatever is in them, in front of the results");
-    app->add_option("--out", arguments->out, "File for the results, - for standard output (default: -)")
-        ->type_name("FILE");
-    app->footer(operation.footer);
-    app->callback([&operation, arguments] { evaluate(operation, *arguments); });
+    line.add_text("--out", "FILE", arguments->out,
+                  "File for the results, - for standard output (default: -)");
+    line.set_footer(operation.footer);
+    line.set_action([&operation, arguments] { evaluate(operation, *arguments); });
 }
 
 constexpr const char* footer =
@@ -86,12 +86,12 @@ constexpr const char* footer =
 
 }  // namespace
 
-void add_eval(CLI::App& program) {
-    CLI::App* const app =
-        program.add_subcommand("eval", "Applies an operation of the library to a table of numbers");
-    require_one_subcommand(*app);
-    app->footer(footer);
-    for (const eval_operation* const operation : eval_operations()) add_operation(*app, *operation);
+void add_eval(command_line program) {
+    command_line line =
+        program.add_command("eval", "Applies an operation of the library to a table of numbers");
+    line.require_subcommand();
+    line.set_footer(footer);
+    for (const eval_operation* const operation : eval_operations()) add_operation(line, *operation);
 }
 
 }  // namespace swivel::command

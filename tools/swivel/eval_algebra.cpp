@@ -40,9 +40,9 @@ swivel::status run_dot(const eval_settings& settings, const eval_block<T>& in, c
     return swivel::dot(in.quaternion(0), in.quaternion(1), out.scalar(0), settings.options);
 }
 
-void add_align_signs_options(CLI::App& app, eval_settings& settings) {
-    app.add_flag("--sequence", settings.sequence,
-                 "Compare each row with the one before it as it was written");
+void add_align_signs_options(command_line line, eval_settings& settings) {
+    line.add_flag("--sequence", settings.sequence,
+                  "Compare each row with the one before it as it was written");
 }
 
 // With the last finite row of the block before in front, and with a zero quaternion, which turns nothing

@@ -52,11 +52,11 @@ constinit const eval_operation eval_arc_with_twist = {
     "Examples:\n"
     "  printf 'vx vy vz wx wy wz\\n1 0 0 0 2 0\\n' | swivel eval arc_with_twist --angle 0.5\n"
     "  swivel eval arc_with_twist --angle column --product twist-swing bones.csv",
-    [](CLI::App& app, eval_settings& settings) {
-        add_parameter(app, "--angle", settings.angle,
+    [](command_line line, eval_settings& settings) {
+        add_parameter(line, "--angle", settings.angle,
                       "The angle of the twist in radians; column: one of its own for every row (default: 0)");
-        add_choice(
-            app, "--product", settings.options.order,
+        line.add_choice(
+            "--product", settings.options.order,
             {{"swing-twist", swivel::product::swing_twist}, {"twist-swing", swivel::product::twist_swing}},
             "What comes first: the twist, about v, or the arc, before a twist about w");
     },

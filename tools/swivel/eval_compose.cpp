@@ -5,15 +5,15 @@ namespace swivel::command {
 
 namespace {
 
-void add_options(CLI::App& app, eval_settings& settings) {
-    add_axis(app, settings.axis, axis_words::none)
-        ->description(
-            "Axis of the compact form: x, y or z (default: z); the full form does not depend on it");
-    add_product(app, settings.options.order);
-    add_choice(app, "--form", settings.form, {{"full", factor_form::full}, {"compact", factor_form::compact}},
-               "What is read of the factors");
-    app.add_flag("--signs", settings.signs,
-                 "Read the column `sign` of `decompose --signs` too, and restore the rotation with its sign");
+void add_options(command_line line, eval_settings& settings) {
+    add_axis(line, settings.axis, axis_words::none,
+             "Axis of the compact form: x, y or z (default: z); the full form does not depend on it");
+    add_product(line, settings.options.order);
+    line.add_choice("--form", settings.form, {{"full", factor_form::full}, {"compact", factor_form::compact}},
+                    "What is read of the factors");
+    line.add_flag(
+        "--signs", settings.signs,
+        "Read the column `sign` of `decompose --signs` too, and restore the rotation with its sign");
 }
 
 eval_columns columns(const eval_settings& settings) {

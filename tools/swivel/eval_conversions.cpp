@@ -4,8 +4,8 @@ namespace swivel::command {
 
 namespace {
 
-void add_axis_option(CLI::App& app, eval_settings& settings) {
-    add_axis(app, settings.axis, axis_words::columns);
+void add_axis_option(command_line line, eval_settings& settings) {
+    add_axis(line, settings.axis, axis_words::columns);
 }
 
 template <class T>
@@ -61,22 +61,23 @@ swivel::status run_to_matrix(const eval_settings& settings, const eval_block<T>&
     return swivel::to_matrix(swivel::quat_view<const T>(in.quaternion(0)), out.matrix(0), settings.options);
 }
 
-void add_order(CLI::App& app, eval_settings& settings) {
+void add_order(command_line line, eval_settings& settings) {
     using swivel::euler_order;
-    add_choice(app, "--order", settings.euler,
-               {{"xyz", euler_order::xyz},
-                {"xzy", euler_order::xzy},
-                {"yxz", euler_order::yxz},
-                {"yzx", euler_order::yzx},
-                {"zxy", euler_order::zxy},
-                {"zyx", euler_order::zyx},
-                {"xyx", euler_order::xyx},
-                {"xzx", euler_order::xzx},
-                {"yxy", euler_order::yxy},
-                {"yzy", euler_order::yzy},
-                {"zxz", euler_order::zxz},
-                {"zyz", euler_order::zyz}},
-               "Order of the three rotations, the outermost first, as the channels of a BVH file have it");
+    line.add_choice(
+        "--order", settings.euler,
+        {{"xyz", euler_order::xyz},
+         {"xzy", euler_order::xzy},
+         {"yxz", euler_order::yxz},
+         {"yzx", euler_order::yzx},
+         {"zxy", euler_order::zxy},
+         {"zyx", euler_order::zyx},
+         {"xyx", euler_order::xyx},
+         {"xzx", euler_order::xzx},
+         {"yxy", euler_order::yxy},
+         {"yzy", euler_order::yzy},
+         {"zxz", euler_order::zxz},
+         {"zyz", euler_order::zyz}},
+        "Order of the three rotations, the outermost first, as the channels of a BVH file have it");
 }
 
 template <class T>

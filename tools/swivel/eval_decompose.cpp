@@ -5,23 +5,23 @@ namespace swivel::command {
 
 namespace {
 
-void add_options(CLI::App& app, eval_settings& settings) {
-    add_axis(app, settings.axis, axis_words::columns);
-    add_product(app, settings.options.order);
-    add_choice(app, "--form", settings.form,
-               {{"full", factor_form::full},
-                {"compact", factor_form::compact},
-                {"twist", factor_form::twist},
-                {"swing", factor_form::swing},
-                {"angle", factor_form::angle}},
-               "What is written of the factors");
-    app.add_flag(
+void add_options(command_line line, eval_settings& settings) {
+    add_axis(line, settings.axis, axis_words::columns);
+    add_product(line, settings.options.order);
+    line.add_choice("--form", settings.form,
+                    {{"full", factor_form::full},
+                     {"compact", factor_form::compact},
+                     {"twist", factor_form::twist},
+                     {"swing", factor_form::swing},
+                     {"angle", factor_form::angle}},
+                    "What is written of the factors");
+    line.add_flag(
         "--positive-twist", settings.options.positive_twist,
         "Flip the twist where needed so that tw (tc) is not negative; the angle is then in [-pi, pi]");
-    app.add_flag(
+    line.add_flag(
         "--signs", settings.signs,
         "--positive-twist, and -1 or 1 in the column `sign` for flipped or not, for `compose --signs`");
-    add_pole_threshold(app, settings.options.pole_threshold);
+    add_pole_threshold(line, settings.options.pole_threshold);
 }
 
 eval_columns columns(const eval_settings& settings) {

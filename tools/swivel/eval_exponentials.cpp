@@ -2,8 +2,8 @@
 
 namespace swivel::command {
 
-void add_exponent(CLI::App& app, eval_settings& settings) {
-    add_parameter(app, "--t", settings.t,
+void add_exponent(command_line line, eval_settings& settings) {
+    add_parameter(line, "--t", settings.t,
                   "The exponent; column: one of its own for every row (default: 0.5)");
 }
 

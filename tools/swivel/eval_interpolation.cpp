@@ -5,16 +5,16 @@
 
 namespace swivel::command {
 
-void add_t(CLI::App& app, eval_settings& settings) {
+void add_t(command_line line, eval_settings& settings) {
     add_parameter(
-        app, "--t", settings.t,
+        line, "--t", settings.t,
         "How far from a to b, 0 to 1 and beyond; column: one for every row, in the column t (default: 0.5)");
 }
 
-void add_t_and_way(CLI::App& app, eval_settings& settings) {
-    add_t(app, settings);
-    add_choice(app, "--way", settings.options.long_way, {{"short", false}, {"long", true}},
-               "By way of the nearer or the further of b and -b");
+void add_t_and_way(command_line line, eval_settings& settings) {
+    add_t(line, settings);
+    line.add_choice("--way", settings.options.long_way, {{"short", false}, {"long", true}},
+                    "By way of the nearer or the further of b and -b");
 }
 
 namespace {
@@ -40,32 +40,31 @@ struct interpolation_groups {
     }
 };
 
-void add_rotation_options(CLI::App& app, eval_settings& settings) {
-    add_t_and_way(app, settings);
-    add_axis(app, settings.axis, axis_words::columns)
-        ->description(
-            "Axis, a vector of any length but 0; columns: one for every row, in nx ny nz (default: z)");
-    add_choice(app, "--frame", settings.options.axis_frame,
-               {{"world", swivel::frame::world}, {"body", swivel::frame::body}},
-               "Where the axis is given: in the world, as it lies at a, or in the body that a and b turn");
-    app.add_flag("--tip", settings.tip,
-                 "Write px py pz too, where the axis points to on its way, and off, its angle in radians "
-                 "from the great circle between its ends");
+void add_rotation_options(command_line line, eval_settings& settings) {
+    add_t_and_way(line, settings);
+    add_axis(line, settings.axis, axis_words::columns,
+             "Axis, a vector of any length but 0; columns: one for every row, in nx ny nz (default: z)");
+    line.add_choice(
+        "--frame", settings.options.axis_frame,
+        {{"world", swivel::frame::world}, {"body", swivel::frame::body}},
+        "Where the axis is given: in the world, as it lies at a, or in the body that a and b turn");
+    line.add_flag("--tip", settings.tip,
+                  "Write px py pz too, where the axis points to on its way, and off, its angle in radians "
+                  "from the great circle between its ends");
 }
 
-void add_sterp_options(CLI::App& app, eval_settings& settings) {
-    add_rotation_options(app, settings);
+void add_sterp_options(command_line line, eval_settings& settings) {
+    add_rotation_options(line, settings);
     settings.reads_axis = true;
-    app.add_option_function<std::string>(
-           "--t-twist",
-           [&settings](const std::string& given) { settings.twist_t = parse_parameter("--t-twist", given); },
-           "How far for the twist, where it is not as far as the swing; column: in the column t_twist "
-           "(default: as --t)")
-        ->type_name("NUMBER|column");
-    add_choice(app, "--motion", settings.options.motion,
-               {{"slerp", swivel::flavour::slerp}, {"nlerp", swivel::flavour::nlerp}},
-               "Swing and twist at constant speed, or along their chords");
-    add_pole_threshold(app, settings.options.pole_threshold);
+    line.add_value(
+        "--t-twist", "NUMBER|column",
+        [&settings](const std::string& given) { settings.twist_t = parse_parameter("--t-twist", given); },
+        "How far for the twist, where it is not as far as the swing; column: in the column t_twist "
+        "(default: as --t)");
+    line.add_choice("--motion", settings.options.motion,
+                    {{"slerp", swivel::flavour::slerp}, {"nlerp", swivel::flavour::nlerp}},
+                    "Swing and twist at constant speed, or along their chords");
+    add_pole_threshold(line, settings.options.pole_threshold);
 }
 
 eval_columns columns(const eval_settings& settings) {

@@ -1,7 +1,9 @@
+#include <charconv>
 #include <string>
 #include <vector>
 
 #include "eval_operation.hpp"
+#include "failure.hpp"
 
 namespace swivel::command {
 
@@ -295,10 +297,18 @@ constinit const eval_operation eval_blend = {
     "0 0 0 1 0 0 0 0 0.75 0 0 1 0 1 0 0 0 0.25\\n' |\n"
     "    swivel eval blend\n"
     "  swivel eval blend --motors 4 vertices.csv",
-    [](CLI::App& app, eval_settings& settings) {
-        app.add_option("--motors", settings.motors, "How many motors each row has, 1 to 256 (default: 2)")
-            ->check(CLI::Range(std::size_t{1}, std::size_t{256}))
-            ->type_name("NUMBER");
+    [](command_line line, eval_settings& settings) {
+        line.add_value(
+            "--motors", "NUMBER",
+            [&settings](const std::string& given) {
+                std::size_t motors = 0;
+                const char* const end = given.data() + given.size();
+                const auto read = std::from_chars(given.data(), end, motors);
+                if (read.ec != std::errc() || read.ptr != end || motors < 1 || motors > 256)
+                    throw bad_usage("--motors: '" + given + "' is no whole number from 1 to 256");
+                settings.motors = motors;
+            },
+            "How many motors each row has, 1 to 256 (default: 2)");
     },
     blend_columns,
     run_blend<float>,
@@ -313,13 +323,13 @@ constinit const eval_operation eval_motor_decompose = {
     "Examples:\n"
     "  printf 'mx my mz mw mdx mdy mdz mdw\\n0 0 1 0 1 0 0 0\\n' | swivel eval motor_decompose --axis z\n"
     "  swivel eval motor_decompose --axis 0.6,0,0.8 --product twist-swing poses.csv",
-    [](CLI::App& app, eval_settings& settings) {
-        add_axis(app, settings.axis, axis_words::columns);
-        add_product(app, settings.options.order);
-        app.add_flag(
+    [](command_line line, eval_settings& settings) {
+        add_axis(line, settings.axis, axis_words::columns);
+        add_product(line, settings.options.order);
+        line.add_flag(
             "--positive-twist", settings.options.positive_twist,
             "Flip the twist where needed so that tw is not negative; the angle is then in [-pi, pi]");
-        add_pole_threshold(app, settings.options.pole_threshold);
+        add_pole_threshold(line, settings.options.pole_threshold);
     },
     decompose_columns,
     run_decompose<float>,
@@ -332,7 +342,7 @@ constinit const eval_operation eval_motor_compose = {
     "Examples:\n"
     "  printf 'mx my mz mw mdx mdy mdz mdw\\n0 0 1 0 1 0 0 0\\n' |\n"
     "    swivel eval motor_decompose | swivel eval motor_compose",
-    [](CLI::App& app, eval_settings& settings) { add_product(app, settings.options.order); },
+    [](command_line line, eval_settings& settings) { add_product(line, settings.options.order); },
     [](const eval_settings&) {
         return eval_columns{
             {{group_kind::quaternion, "s"}, {group_kind::quaternion, "t"}, {group_kind::vector, "p"}},

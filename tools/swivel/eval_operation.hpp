@@ -4,7 +4,6 @@
 // The operations of `swivel eval`. One more is a definition in the file of its family, a declaration below
 // and a row in eval_operations.cpp.
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -48,7 +47,7 @@ struct eval_operation {
     const char* name;
     const char* description;
     const char* footer;
-    void (*add_options)(CLI::App&, eval_settings&);
+    void (*add_options)(command_line, eval_settings&);
     // Throws bad_usage when the settings contradict each other.
     eval_columns (*columns)(const eval_settings&);
     eval_function<float> run_f32;
@@ -83,12 +82,12 @@ template <class T>
                                                  const eval_block<T>& in) noexcept;
 
 // For operations that have no options of their own.
-inline void add_no_options(CLI::App&, eval_settings&) {}
+inline void add_no_options(command_line, eval_settings&) {}
 
 // --t of a power, and --t, or --t and --way, of what goes from a to b.
-void add_exponent(CLI::App& app, eval_settings& settings);
-void add_t(CLI::App& app, eval_settings& settings);
-void add_t_and_way(CLI::App& app, eval_settings& settings);
+void add_exponent(command_line line, eval_settings& settings);
+void add_t(command_line line, eval_settings& settings);
+void add_t_and_way(command_line line, eval_settings& settings);
 
 // With --t column, the column t too.
 [[nodiscard]] eval_columns with_t(eval_columns columns, const eval_settings& settings);

@@ -4,12 +4,12 @@ namespace swivel::command {
 
 namespace {
 
-void add_options(CLI::App& app, eval_settings& settings) {
-    add_axis(app, settings.axis, axis_words::columns);
-    add_product(app, settings.options.order);
-    app.add_flag("--positive-twist", settings.options.positive_twist,
-                 "Flip the twist where needed so that tw is not negative");
-    add_pole_threshold(app, settings.options.pole_threshold);
+void add_options(command_line line, eval_settings& settings) {
+    add_axis(line, settings.axis, axis_words::columns);
+    add_product(line, settings.options.order);
+    line.add_flag("--positive-twist", settings.options.positive_twist,
+                  "Flip the twist where needed so that tw is not negative");
+    add_pole_threshold(line, settings.options.pole_threshold);
 }
 
 eval_columns columns(const eval_settings& settings) {

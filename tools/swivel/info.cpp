@@ -18,15 +18,14 @@ constexpr const char* compiler = "unknown";
 
 }  // namespace
 
-void add_info(CLI::App& program) {
-    CLI::App* const app =
-        program.add_subcommand("info", "Version, instruction sets and compiler of this build");
-    app->footer(
+void add_info(command_line program) {
+    command_line line = program.add_command("info", "Version, instruction sets and compiler of this build");
+    line.set_footer(
         "The environment variable SWIVEL_ISA names another instruction set than the best usable one.\n\n"
         "Examples:\n"
         "  swivel info\n"
         "  SWIVEL_ISA=sse2 swivel info");
-    app->callback([] {
+    line.set_action([] {
         select_isa(std::nullopt);
         output out("-");
         out.write(std::string("version:       ") + swivel::version() + "\nisa in use:    " +

@@ -52,7 +52,10 @@ output::output(const std::string& path) : name_(path == "-" ? "<stdout>" : path)
     // Renaming would replace a file that may not be written to.
     if (exists && access(target_.c_str(), W_OK) != 0) fail("write the file", errno);
     open_temporary();
-    // mkstemp lets nobody but the owner in.
+    if (exists && fchown(fileno(file_), about.st_uid, about.st_gid) != 0) {
+        // Only root gives files away.
+    }
+    // After the owner, whose change takes bits of the mode away. mkstemp lets nobody but the owner in.
     const mode_t mask = umask(0);
     umask(mask);
     const mode_t mode = exists ? about.st_mode & 07777 : 0666 & ~mask;
@@ -74,14 +77,18 @@ void output::follow_links() {
 }
 
 void output::open_temporary() {
-    std::string pattern = (std::filesystem::path(target_).parent_path() / ".swivel-XXXXXX").string();
+    const std::filesystem::path target(target_);
+    // A name has 255 bytes at most.
+    const std::string whose = target.filename().string().substr(0, 200);
+    std::string pattern = (target.parent_path() / ("." + whose + ".swivel-XXXXXX")).string();
     const int descriptor = mkstemp(pattern.data());
     if (descriptor < 0) fail("create a temporary file in the same folder", errno);
     temporary_ = pattern;
     pending_file.store(temporary_.c_str());
-    watch(SIGINT);
-    watch(SIGTERM);
-    watch(SIGHUP);
+    // All that end a program and may be caught; batch systems send XCPU and USR1 before they kill.
+    for (const int signal_number :
+         {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGABRT, SIGALRM, SIGUSR1, SIGUSR2, SIGXCPU, SIGVTALRM, SIGPROF})
+        watch(signal_number);
     file_ = fdopen(descriptor, "wb");
     if (file_) return;
     const int reason = errno;
@@ -117,6 +124,9 @@ void output::flush() {
 void output::commit() {
     flush();
     if (file_ == stdout) return;
+    // After a crash of the system there is the old file or the new one, and not an empty one.
+    if (!temporary_.empty() && fsync(fileno(file_)) != 0 && errno != EINVAL && errno != ENOTSUP)
+        fail("write the file", errno);
     std::FILE* const file = file_;
     file_ = nullptr;
     if (std::fclose(file) != 0) fail("write the file", errno);
@@ -126,8 +136,18 @@ void output::commit() {
     temporary_.clear();
 }
 
+void require_other_file(const std::string& read, const std::string& written) {
+    struct stat in {
+    }, out{};
+    const bool read_is_there = read == "-" ? fstat(STDIN_FILENO, &in) == 0 : stat(read.c_str(), &in) == 0;
+    if (!read_is_there || written == "-" || stat(written.c_str(), &out) != 0) return;
+    if (S_ISREG(in.st_mode) && in.st_dev == out.st_dev && in.st_ino == out.st_ino)
+        throw bad_usage("--out: " + written + " is the file that is read, expected another one");
+}
+
 void prepare_standard_streams() {
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     for (int descriptor = 0; descriptor < 3; ++descriptor) {
         if (fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
         // Opened for the wrong direction, so that using it fails as on a closed one.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 #include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "failure.hpp"
@@ -85,31 +87,33 @@ private:
         const std::string expected = "a header row with the columns " + joined(wanted);
         if (!next_row(in_, line_, fields_)) throw bad_data(in_.name(), 1, 1, "the input is empty", expected);
 
-        std::vector<std::string> seen;
+        // By name, since a header of a megabyte has a hundred thousand.
+        std::unordered_map<std::string_view, std::size_t> places;
+        for (std::size_t i = 0; i < wanted.size(); ++i) places.emplace(wanted[i], i);
+        std::unordered_set<std::string> seen;
         std::string header;
         for (const field& f : fields_) {
             std::string name = unquoted(f);
             if (name.empty()) fail(f.column, "a column without a name", expected);
-            const auto place = std::find(wanted.begin(), wanted.end(), name);
-            const bool is_read = place != wanted.end();
+            const auto place = places.find(name);
+            const bool is_read = place != places.end();
             if (!is_read && !pass_)
                 fail(f.column, "unknown column " + clip::quoted(name),
                      expected + " (--pass copies other ones)");
-            if (std::find(seen.begin(), seen.end(), name) != seen.end())
+            if (seen.count(name) != 0)
                 fail(f.column, "the column " + clip::quoted(name) + " is there twice", "each column once");
             if (!is_read && std::find(written.begin(), written.end(), name) != written.end())
                 fail(f.column, "the column " + clip::quoted(name) + " cannot be passed",
                      "no name of a column that is written: " + joined(written));
-            map_.push_back(is_read ? std::optional(static_cast<std::size_t>(place - wanted.begin()))
-                                   : std::nullopt);
+            map_.push_back(is_read ? std::optional(place->second) : std::nullopt);
             if (!is_read) {
                 append_field(header, name);
                 header += ',';
             }
-            seen.push_back(std::move(name));
+            seen.insert(std::move(name));
         }
         for (const std::string& name : wanted)
-            if (std::find(seen.begin(), seen.end(), name) == seen.end())
+            if (seen.count(name) == 0)
                 fail(line_.size() + 1, "the column " + clip::quoted(name) + " is missing", expected);
         for (const std::string& name : written) header += name + (name == written.back() ? "\n" : ",");
         out_.write(header);
