@@ -4,12 +4,12 @@
 
 #include <numbers>
 
-#include "clip/clip.hpp"
 #include "support/buffers.hpp"
 #include "support/bvh_text.hpp"
 #include "support/exact.hpp"
 #include "support/rotations.hpp"
 #include "support/usable_isas.hpp"
+#include "swivel/clip/read.hpp"
 #include "swivel/reference.hpp"
 
 namespace swivel::tests {
@@ -118,8 +118,8 @@ TEST_P(Euler, OrdersAreThoseOfTheChannelsOfABvhFile) {
         const clip::read_result read =
             clip::read_bvh(clip::with("CHANNELS 3 Xrotation Yrotation Zrotation", channels));
         ASSERT_TRUE(bool(read)) << o.axes;
-        double x[2], y[2], z[2], w[2];
-        clip::joint_rotations(*read.value, 1, x, y, z, w);
+        quat_buffer<double> of_clip(2, layout::soa);
+        ASSERT_EQ(clip::joint_rotations(*read.value, 1, of_clip.view()), status::ok);
         vec3_buffer<double> radians(2, layout::soa);
         quat_buffer<double> q(2, layout::soa);
         // 4 5 6 and 10 11 12 degrees, in the order of the channels.
@@ -131,7 +131,7 @@ TEST_P(Euler, OrdersAreThoseOfTheChannelsOfABvhFile) {
         }
         ASSERT_EQ(from_euler(radians.view(), o.order, q.view()), status::ok);
         for (std::size_t frame = 0; frame < 2; ++frame)
-            EXPECT_LE(norm(minus(q.get(frame), {x[frame], y[frame], z[frame], w[frame]})), 1e-15) << o.axes;
+            EXPECT_LE(norm(minus(q.get(frame), of_clip.get(frame))), 1e-15) << o.axes;
     }
 }
 
