@@ -35,7 +35,7 @@ constexpr domain domains[] = {
     {"power", {-100, 125}, {-960, 1021}},       {"square_root", {-100, 126}, {-960, 1022}},
     {"normalize", {-100, 126}, {-960, 1022}},   {"to_axis_angle", {-100, 125}, {-960, 1021}},
     {"to_matrix", {-49, 62}, {-479, 510}},      {"to_euler", {-24, 61}, {-400, 509}},
-    {"motor normalize", {-60, 59}, {-500, 499}}};
+    {"motor_normalize", {-60, 59}, {-500, 499}}};
 
 const domain* domain_of(std::string_view name) {
     const std::string_view stem = name.substr(0, name.find('/'));
@@ -110,7 +110,7 @@ void same_at_all_lengths() {
                 for (std::size_t i = 0; i < n; ++i) {
                     if (d->keeps_length) {
                         scale(scaled.swing, i, 1 / by[i]);
-                        scale(scaled.out, i, 1 / by[i]);
+                        for (int c = 0; c < 3; ++c) scaled.factors_out.at(c, i) *= 1 / by[i];
                     }
                     const std::vector<T> want = op.outputs(unit, i), got = op.outputs(scaled, i);
                     for (std::size_t k = 0; k < want.size(); ++k) {

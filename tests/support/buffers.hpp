@@ -52,6 +52,8 @@ class any_buffer {
 public:
     virtual int components() const = 0;
     virtual T& at(int component, std::size_t i) = 0;
+    virtual T* first(int component) = 0;
+    virtual std::ptrdiff_t stride() const = 0;
     virtual std::vector<T>& memory() = 0;
 
 protected:
@@ -81,9 +83,9 @@ public:
     T& at(int component, std::size_t i) final {
         return first_[component][static_cast<std::ptrdiff_t>(i) * stride_];
     }
-    T* first(int component) { return first_[component]; }
+    T* first(int component) final { return first_[component]; }
     std::size_t size() const { return n_; }
-    std::ptrdiff_t stride() const { return stride_; }
+    std::ptrdiff_t stride() const final { return stride_; }
     std::vector<T>& memory() final { return data_; }
 
 private:

@@ -1,13 +1,14 @@
 #ifndef SWIVEL_TESTS_SUPPORT_OPERATIONS_HPP
 #define SWIVEL_TESTS_SUPPORT_OPERATIONS_HPP
 
-// Every public operation in every form, for the tests of what the contract promises of all. Each family is
-// listed in a file of tests/operations/.
+// Every public operation in every form, for the tests of what the contract promises of all: those of operations/, with
+// all combinations of what their options may be.
 
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "operations/operation.hpp"
 #include "support/buffers.hpp"
 #include "support/motors.hpp"
 #include "support/rotations.hpp"
@@ -18,7 +19,8 @@ namespace swivel::tests {
 // Everything that any operation reads or writes.
 template <class T>
 struct workspace {
-    quat_buffer<T> q, swing_in, twist_in;
+    quat_buffer<T> q;                   // where one is read
+    quat_buffer<T> swing_in, twist_in;  // where two are
     vec3_buffer<T> axes, vectors;
     factor_buffer<T> factors_in;
     matrix_buffer<T> matrices_in;
@@ -27,7 +29,7 @@ struct workspace {
     bivector_buffer<T> bivectors_in;
     scalar_buffer<T> signs_in, angles_in, parameters_in, other_parameters_in;
 
-    quat_buffer<T> out, swing, twist;
+    quat_buffer<T> swing, twist;
     vec3_buffer<T> vectors_out, other_vectors_out;
     factor_buffer<T> factors_out;
     matrix_buffer<T> matrices_out;
@@ -55,22 +57,32 @@ template <class T>
 using buffers = std::vector<any_buffer<T>*>;
 
 template <class T>
-struct operation {
-    std::string name;
-    options set;
-    std::function<buffers<T>(workspace<T>&)> reads, writes;
-    std::function<status(workspace<T>&, const options&, bool reference)> call;
-    // The last output is a kept sign, 1 or -1 whatever the element holds.
-    bool keeps_sign = false;
-    // Components are moved, not computed with: a NaN or an infinity comes out as it is, in one component.
-    bool moves = false;
+using buffer_of = any_buffer<T>* (*)(workspace<T>&);
 
-    status run(workspace<T>& w, precision p) const {
-        options o = set;
-        o.accuracy = p;
-        return call(w, o, false);
-    }
-    status run_reference(workspace<T>& w) const { return call(w, set, true); }
+template <class T>
+buffers<T> all_of(const std::vector<buffer_of<T>>& each, workspace<T>& w) {
+    buffers<T> all;
+    for (const buffer_of<T> b : each) all.push_back(b(w));
+    return all;
+}
+
+template <class T>
+struct operation {
+    std::string name;  // and after each '/' what is set
+    const operations::operation* what;
+    operations::settings set;
+    operations::groups groups;
+    std::vector<buffer_of<T>> read, written;  // of each group
+
+    buffers<T> reads(workspace<T>& w) const { return all_of(read, w); }
+    buffers<T> writes(workspace<T>& w) const { return all_of(written, w); }
+
+    status run(workspace<T>& w, precision p) const;
+    status run_reference(workspace<T>& w) const;
+
+    // Of an output that is 1 or -1 whatever the element holds.
+    bool is_kept_sign(std::size_t output) const;
+    bool moves() const { return what->moves; }
 
     // Every output component of element i.
     std::vector<T> outputs(workspace<T>& w, std::size_t i) const {
@@ -82,40 +94,12 @@ struct operation {
 };
 
 template <class T>
-void add_swing_twist(std::vector<operation<T>>& all);
-template <class T>
-void add_angles(std::vector<operation<T>>& all);
-template <class T>
-void add_rotors(std::vector<operation<T>>& all);
-template <class T>
-void add_exponentials(std::vector<operation<T>>& all);
-template <class T>
-void add_arcs(std::vector<operation<T>>& all);
+const std::vector<operation<T>>& all_operations();
 
-template <class T>
-void add_conversions(std::vector<operation<T>>& all);
-template <class T>
-void add_conformal(std::vector<operation<T>>& all);
-template <class T>
-void add_interpolation(std::vector<operation<T>>& all);
-template <class T>
-void add_motors(std::vector<operation<T>>& all);
-
-template <class T>
-std::vector<operation<T>> all_operations() {
-    std::vector<operation<T>> all;
-    add_swing_twist(all);
-    add_angles(all);
-    add_interpolation(all);
-    add_rotors(all);
-    add_exponentials(all);
-    add_arcs(all);
-    add_conversions(all);
-    add_motors(all);
-    add_conformal(all);
-    return all;
-}
-
+extern template struct operation<float>;
+extern template struct operation<double>;
+extern template const std::vector<operation<float>>& all_operations();
+extern template const std::vector<operation<double>>& all_operations();
 extern template struct workspace<float>;
 extern template struct workspace<double>;
 

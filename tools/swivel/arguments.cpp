@@ -24,12 +24,12 @@ T axis_component(const field& f, const std::string& given) {
     return number.value;
 }
 
-axis_vector parse_axis_vector(const std::string& given, const std::string& words) {
+operations::axis_vector parse_axis_vector(const std::string& given, const std::string& words) {
     std::vector<field> fields;
     const bool is_list =
         given.find(',') != std::string::npos && !split_row(given, fields) && fields.size() == 3;
     if (!is_list) throw bad_usage("--axis: '" + given + "' is none of " + words);
-    axis_vector v;
+    operations::axis_vector v;
     v.f64 = {axis_component<double>(fields[0], given), axis_component<double>(fields[1], given),
              axis_component<double>(fields[2], given)};
     v.f32 = {axis_component<float>(fields[0], given), axis_component<float>(fields[1], given),
@@ -57,7 +57,7 @@ std::string names_of_axes(axis_words words) {
 
 }  // namespace
 
-void add_axis(command_line line, axis_argument& value, axis_words words) {
+void add_axis(command_line line, const axis_reader& read, axis_words words) {
     std::string description = "Axis of the twist: a coordinate axis, or a vector of any length but 0";
     if (words == axis_words::automatic)
         description += ", in the frame of each joint; auto: along the bone of each joint (default: auto)";
@@ -66,26 +66,26 @@ void add_axis(command_line line, axis_argument& value, axis_words words) {
             "; columns: a vector of its own for every row, read from the columns ax ay az (default: z)";
     else
         description += " (default: z)";
-    add_axis(line, value, words, description);
+    add_axis(line, read, words, description);
 }
 
-void add_axis(command_line line, axis_argument& value, axis_words words, const std::string& description) {
+void add_axis(command_line line, const axis_reader& read, axis_words words, const std::string& description) {
     const std::string known = names_of_axes(words);
     line.add_value(
         "--axis", known,
-        [&value, known, words](const std::string& given) {
+        [read, known, words](const std::string& given) {
             if (given == "x")
-                value = swivel::axis::x;
+                read(swivel::axis::x);
             else if (given == "y")
-                value = swivel::axis::y;
+                read(swivel::axis::y);
             else if (given == "z")
-                value = swivel::axis::z;
+                read(swivel::axis::z);
             else if (given == "auto" && words == axis_words::automatic)
-                value = automatic_axis{};
+                read(automatic_axis{});
             else if (given == "columns" && words == axis_words::columns)
-                value = axis_columns{};
+                read(operations::column{});
             else
-                value = parse_axis_vector(given, known);
+                read(parse_axis_vector(given, known));
         },
         description);
 }
@@ -101,23 +101,6 @@ void add_precision(command_line line, swivel::precision& value) {
     line.add_choice("--precision", value,
                     {{"fast", swivel::precision::fast}, {"reproducible", swivel::precision::reproducible}},
                     "Arithmetic: the quickest, or one that gives the same bits on every ISA");
-}
-
-parameter_argument parse_parameter(const std::string& name, const std::string& given) {
-    if (given == "column") return parameter_column{};
-    const clip::parsed<double> wide = parse_real<double>(given);
-    if (!wide.fault.empty() || !std::isfinite(wide.value))
-        throw bad_usage(name + ": '" + given + "' is neither a finite number nor column");
-    const clip::parsed<float> narrow = parse_real<float>(given);
-    if (!narrow.fault.empty()) throw bad_usage(name + ": '" + given + "' is too large for f32");
-    return number{narrow.value, wide.value};
-}
-
-void add_parameter(command_line line, const std::string& name, parameter_argument& value,
-                   const std::string& description) {
-    line.add_value(
-        name, "NUMBER|column",
-        [&value, name](const std::string& given) { value = parse_parameter(name, given); }, description);
 }
 
 void add_pole_threshold(command_line line, double& value) {

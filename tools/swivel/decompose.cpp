@@ -111,7 +111,7 @@ public:
             constexpr const char* names[] = {"x", "y", "z"};
             return {*coordinate, names[static_cast<std::size_t>(*coordinate)], "given"};
         }
-        if (const auto* const vector = std::get_if<axis_vector>(&given_)) {
+        if (const auto* const vector = std::get_if<operations::axis_vector>(&given_)) {
             const swivel::vec3<double>& v = vector->f64;
             const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
             const double length = std::hypot(v.x / largest, v.y / largest, v.z / largest);
@@ -277,7 +277,8 @@ void add_decompose(command_line program) {
     line.add_operand("CLIP", arguments->clip, "BVH file, - for standard input", true);
     line.add_texts("--joint", "NAME", arguments->joints,
                    "Name of a joint, once for every joint; default: all");
-    add_axis(line, arguments->axis, axis_words::automatic);
+    add_axis(
+        line, [arguments](const axis_argument& given) { arguments->axis = given; }, axis_words::automatic);
     add_product(line, arguments->options.order);
     line.add_value(
         "--out", "FILE.csv", [arguments](const std::string& given) { arguments->out = given; },

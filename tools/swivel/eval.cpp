@@ -1,11 +1,15 @@
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "arguments.hpp"
 #include "commands.hpp"
-#include "eval_operation.hpp"
+#include "eval_options.hpp"
 #include "failure.hpp"
 #include "line_reader.hpp"
 #include "output.hpp"
@@ -23,11 +27,11 @@ struct eval_arguments {
     number_type type = number_type::f64;
     std::optional<swivel::isa> isa;
     row_stream_options stream;
-    eval_settings settings;
+    operations::settings settings;
 };
 
-void require_axis_in_f32(const axis_argument& axis) {
-    const auto* const vector = std::get_if<axis_vector>(&axis);
+void require_axis_in_f32(const operations::axis_setting& axis) {
+    const auto* const vector = std::get_if<operations::axis_vector>(&axis);
     if (vector == nullptr) return;
     const swivel::vec3<float>& v = vector->f32;
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
@@ -35,9 +39,35 @@ void require_axis_in_f32(const axis_argument& axis) {
     if (v.x == 0 && v.y == 0 && v.z == 0) throw bad_usage("--axis: has no direction in f32");
 }
 
-void evaluate(const eval_operation& operation, const eval_arguments& arguments) {
+bool has_angles(const std::vector<operations::group>& groups) {
+    return std::any_of(groups.begin(), groups.end(),
+                       [](const operations::group& g) { return g.meaning == operations::meaning::angle; });
+}
+
+bool has_option(const operations::operation& operation, operations::option which) {
+    return std::find(operation.options.begin(), operation.options.end(), which) != operation.options.end();
+}
+
+// With some of its options at least.
+bool may_have_angles(const operations::operation& operation) {
+    const operations::groups g = operation.groups({});
+    return has_angles(g.in) || has_angles(g.out) || has_option(operation, operations::option::form) ||
+           has_option(operation, operations::option::tip) ||
+           has_option(operation, operations::option::tip_about) ||
+           has_option(operation, operations::option::angle);
+}
+
+void evaluate(const operations::operation& operation, eval_arguments& arguments) {
     // Before the input is looked at: contradictions are bad usage whatever the data are.
-    (void)operation.columns(arguments.settings);
+    if (const operations::groups g = operation.groups(arguments.settings); !g.fault.empty())
+        throw bad_usage(g.fault);
+    if (arguments.stream.degrees) {
+        auto* const angle = std::get_if<operations::number>(&arguments.settings.angle);
+        if (angle != nullptr) {
+            angle->f64 *= std::numbers::pi / 180;
+            angle->f32 = static_cast<float>(angle->f64);
+        }
+    }
     if (arguments.type == number_type::f32) require_axis_in_f32(arguments.settings.axis);
     select_isa(arguments.isa);
 
@@ -50,11 +80,11 @@ void evaluate(const eval_operation& operation, const eval_arguments& arguments) 
     out.commit();
 }
 
-void add_operation(command_line eval, const eval_operation& operation) {
+void add_operation(command_line eval, const operations::operation& operation) {
     const auto arguments = std::make_shared<eval_arguments>();
     command_line line = eval.add_command(operation.name, operation.description);
     line.add_operand("FILE", arguments->file, "Table to read, - for standard input (default: -)");
-    operation.add_options(line, arguments->settings);
+    for (const operations::option o : operation.options) add_option(line, o, arguments->settings);
     add_precision(line, arguments->settings.options.accuracy);
     line.add_choice("--type", arguments->type, {{"f32", number_type::f32}, {"f64", number_type::f64}},
                     "Numbers that are computed with, read and written");
@@ -62,11 +92,13 @@ void add_operation(command_line eval, const eval_operation& operation) {
     line.add_choice("--layout", arguments->stream.layout,
                     {{"soa", memory_layout::soa}, {"aos", memory_layout::aos}},
                     "How quaternions and vectors lie in memory; the compact form is always soa");
+    if (may_have_angles(operation))
+        line.add_flag("--degrees", arguments->stream.degrees, "Read and write angles in degrees");
     line.add_flag("--pass", arguments->stream.pass,
                   "Copy the columns that are not read, whatever is in them, in front of the results");
     line.add_text("--out", "FILE", arguments->out,
                   "File for the results, - for standard output (default: -)");
-    line.set_footer(operation.footer);
+    line.set_footer(operation.help);
     line.set_action([&operation, arguments] { evaluate(operation, *arguments); });
 }
 
@@ -91,7 +123,7 @@ void add_eval(command_line program) {
         program.add_command("eval", "Applies an operation of the library to a table of numbers");
     line.require_subcommand();
     line.set_footer(footer);
-    for (const eval_operation* const operation : eval_operations()) add_operation(line, *operation);
+    for (const operations::operation* const operation : operations::all()) add_operation(line, *operation);
 }
 
 }  // namespace swivel::command

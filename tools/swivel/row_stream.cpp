@@ -1,6 +1,7 @@
 #include "row_stream.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <unordered_map>
@@ -42,22 +43,33 @@ bool next_row(line_reader& in, std::string_view& line, std::vector<field>& field
     return false;
 }
 
+// Of each column, whether it is an angle.
+std::vector<bool> angles_of(const std::vector<operations::group>& groups) {
+    std::vector<bool> angles;
+    for (const operations::group& g : groups)
+        angles.resize(angles.size() + operations::stream_names(g).size(),
+                      g.meaning == operations::meaning::angle);
+    return angles;
+}
+
+constexpr double radians_of_a_degree = std::numbers::pi / 180;
+
 template <class T>
 class row_stream {
 public:
-    row_stream(const eval_operation& operation, const eval_settings& settings,
+    row_stream(const operations::operation& operation, const operations::settings& settings,
                const row_stream_options& options, line_reader& in, output& out)
         : settings_(settings),
           pass_(options.pass),
           in_(in),
           out_(out),
-          columns_(operation.columns(settings)),
-          inputs_(columns_.in, options.layout, rows_in_block),
-          outputs_(columns_.out, options.layout, rows_in_block) {
-        if constexpr (std::is_same_v<T, float>)
-            run_ = operation.run_f32;
-        else
-            run_ = operation.run_f64;
+          groups_(operation.groups(settings)),
+          inputs_(groups_.in, options.layout, rows_in_block),
+          outputs_(groups_.out, options.layout, rows_in_block),
+          run_(operation.library.as<T>()) {
+        if (!options.degrees) return;
+        degrees_in_ = angles_of(groups_.in);
+        degrees_out_ = angles_of(groups_.out);
     }
 
     void run() {
@@ -82,8 +94,8 @@ private:
     }
 
     void read_header() {
-        const std::vector<std::string> wanted = column_names(columns_.in);
-        const std::vector<std::string> written = column_names(columns_.out);
+        const std::vector<std::string> wanted = operations::stream_names(groups_.in);
+        const std::vector<std::string> written = operations::stream_names(groups_.out);
         const std::string expected = "a header row with the columns " + joined(wanted);
         if (!next_row(in_, line_, fields_)) throw bad_data(in_.name(), 1, 1, "the input is empty", expected);
 
@@ -150,7 +162,9 @@ private:
                 if (f.text.empty()) fail(f.column, "an empty field", "a number");
                 fail(f.column, clip::quoted(f.text) + " " + std::string(number.fault), "a number");
             }
-            inputs_.at(rows_, *map_[i]) = number.value;
+            const bool is_degrees = !degrees_in_.empty() && degrees_in_[*map_[i]];
+            inputs_.at(rows_, *map_[i]) =
+                is_degrees ? static_cast<T>(radians_of_a_degree * double{number.value}) : number.value;
         }
         passed_ends_.push_back(passed_.size());
         ++rows_;
@@ -158,9 +172,8 @@ private:
 
     void write_block() {
         if (rows_ == 0) return;
-        inputs_.resize(rows_);
-        outputs_.resize(rows_);
-        if (const swivel::status s = run_(settings_, inputs_, outputs_); s != swivel::status::ok)
+        const operations::block<const T> in(inputs_.view(rows_));
+        if (const swivel::status s = run_(settings_, in, outputs_.view(rows_)); s != swivel::status::ok)
             throw bad_usage(std::string("the library refused: ") + swivel::name(s));
 
         text_.clear();
@@ -170,7 +183,10 @@ private:
             passed_from = passed_ends_[row];
             for (std::size_t column = 0; column < outputs_.columns(); ++column) {
                 if (column > 0) text_ += ',';
-                append_number(text_, outputs_.at(row, column));
+                const bool is_degrees = !degrees_out_.empty() && degrees_out_[column];
+                const T value = outputs_.at(row, column);
+                append_number(text_,
+                              is_degrees ? static_cast<T>(double{value} / radians_of_a_degree) : value);
             }
             text_ += '\n';
         }
@@ -180,13 +196,14 @@ private:
         passed_ends_.clear();
     }
 
-    const eval_settings& settings_;
+    const operations::settings& settings_;
     bool pass_;
     line_reader& in_;
     output& out_;
-    eval_columns columns_;
+    operations::groups groups_;
     eval_block<T> inputs_, outputs_;
-    eval_function<T> run_ = nullptr;
+    operations::function<T> run_;
+    std::vector<bool> degrees_in_, degrees_out_;  // of each column; none without --degrees
     column_map map_;
 
     std::string_view line_;
@@ -200,14 +217,14 @@ private:
 }  // namespace
 
 template <class T>
-void stream_rows(const eval_operation& operation, const eval_settings& settings,
+void stream_rows(const operations::operation& operation, const operations::settings& settings,
                  const row_stream_options& options, line_reader& in, output& out) {
     row_stream<T>(operation, settings, options, in, out).run();
 }
 
-template void stream_rows<float>(const eval_operation&, const eval_settings&, const row_stream_options&,
-                                 line_reader&, output&);
-template void stream_rows<double>(const eval_operation&, const eval_settings&, const row_stream_options&,
-                                  line_reader&, output&);
+template void stream_rows<float>(const operations::operation&, const operations::settings&,
+                                 const row_stream_options&, line_reader&, output&);
+template void stream_rows<double>(const operations::operation&, const operations::settings&,
+                                  const row_stream_options&, line_reader&, output&);
 
 }  // namespace swivel::command

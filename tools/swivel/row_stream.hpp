@@ -5,26 +5,28 @@
 
 #include <string>
 
-#include "eval_operation.hpp"
+#include "eval_block.hpp"
 #include "line_reader.hpp"
+#include "operations/operation.hpp"
 #include "output.hpp"
 
 namespace swivel::command {
 
 struct row_stream_options {
     memory_layout layout = memory_layout::soa;
-    bool pass = false;  // columns that the operation does not read are written in front of its own
+    bool degrees = false;  // angles are read and written in degrees
+    bool pass = false;     // columns that the operation does not read are written in front of its own
 };
 
 // From the header row to the end. Memory is bounded whatever the length of the table. Bad data is thrown
 // after the rows before it have been written.
 template <class T>
-void stream_rows(const eval_operation& operation, const eval_settings& settings,
+void stream_rows(const operations::operation& operation, const operations::settings& settings,
                  const row_stream_options& options, line_reader& in, output& out);
 
-extern template void stream_rows<float>(const eval_operation&, const eval_settings&,
+extern template void stream_rows<float>(const operations::operation&, const operations::settings&,
                                         const row_stream_options&, line_reader&, output&);
-extern template void stream_rows<double>(const eval_operation&, const eval_settings&,
+extern template void stream_rows<double>(const operations::operation&, const operations::settings&,
                                          const row_stream_options&, line_reader&, output&);
 
 }  // namespace swivel::command
