@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
-#include "support/row.hpp"
+#include "bench/support/row.hpp"
+#include "swivel/version.hpp"
 
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
@@ -8,6 +9,7 @@ int main(int argc, char** argv) {
     benchmark::AddCustomContext("swivel", swivel::version());
     benchmark::AddCustomContext("compiler", SWIVEL_BENCH_COMPILER);
     benchmark::AddCustomContext("plain_compiler", SWIVEL_BENCH_PLAIN_COMPILER);
+    swivel_bench::add_library_rows();
     swivel_bench::add_decompose_rows();
     swivel_bench::add_twist_rows();
     swivel_bench::add_swing_rows();
@@ -19,7 +21,6 @@ int main(int argc, char** argv) {
     swivel_bench::add_arcs_rows();
     swivel_bench::add_conversions_rows();
     swivel_bench::add_motors_rows();
-    swivel_bench::add_conformal_rows();
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
 }

@@ -26,7 +26,13 @@ enum class group_kind {
 };
 
 // What the numbers of a group are, where its kind leaves that open.
-enum class meaning { any, angle, axis, sign };
+enum class meaning {
+    any,
+    angle,
+    axis,
+    sign,
+    logarithm  // of a rotation or motion: 0 where nothing moves
+};
 
 struct group {
     group_kind kind;

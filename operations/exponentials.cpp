@@ -27,7 +27,7 @@ std::span<const operation> exponentials() {
             "  printf 'bx by bz\\n0 0 0.785398163\\n' | swivel eval exp",
             {},
             [](const settings&) {
-                return groups{{vector("b")}, {quaternion("q")}};
+                return groups{{vector("b", meaning::logarithm)}, {quaternion("q")}};
             },
             [](const auto&... a) { return swivel::exp(a...); },
             [](const auto&... a) { return reference::exp(a...); },
@@ -43,7 +43,7 @@ std::span<const operation> exponentials() {
             "  printf 'qx qy qz qw\\n0 0 1 1\\n' | swivel eval log",
             {},
             [](const settings&) {
-                return groups{{quaternion("q")}, {vector("b")}};
+                return groups{{quaternion("q")}, {vector("b", meaning::logarithm)}};
             },
             [](const auto&... a) { return swivel::log(a...); },
             [](const auto&... a) { return reference::log(a...); },

@@ -6,29 +6,19 @@ namespace swivel::operations {
 
 namespace {
 
-// Where each group is among those that are asked for.
-struct interpolation_groups {
-    std::size_t axis = 0, t = 0, twist = 0;
-    std::vector<group> in = {quaternion("a"), quaternion("b")};
+// Where the groups are that not all settings have.
+struct places {
+    std::size_t axis = 2, t, twist;
 
-    explicit interpolation_groups(const settings& s) {
-        if (is_column(s.axis)) {
-            axis = in.size();
-            in.push_back(vector("n", meaning::axis));
-        }
-        if (is_column(s.t)) {
-            t = twist = in.size();
-            in.push_back(scalar("t"));
-        }
-        if (s.t_twist && is_column(*s.t_twist)) {
-            twist = in.size();
-            in.push_back(scalar("t_twist"));
-        }
-    }
+    explicit places(const settings& s)
+        : t(axis + is_column(s.axis)), twist(s.t_twist ? t + is_column(s.t) : t) {}
 };
 
 groups with_tip(const settings& s) {
-    groups g{interpolation_groups(s).in, {quaternion("q")}};
+    groups g{{quaternion("a"), quaternion("b")}, {quaternion("q")}};
+    if (is_column(s.axis)) g.in.push_back(vector("n", meaning::axis));
+    if (is_column(s.t)) g.in.push_back(scalar("t"));
+    if (s.t_twist && is_column(*s.t_twist)) g.in.push_back(scalar("t_twist"));
     if (s.tip) {
         g.out.push_back(vector("p"));
         g.out.push_back(scalar("off", meaning::angle));
@@ -110,10 +100,10 @@ void write_tips(const settings& s, const twist_axis<T>& axis, const block<const 
 template <class T, class Interpolate>
 status with_tips(const settings& s, const block<const T>& in, const block<T>& out,
                  const Interpolate& interpolate) {
-    const interpolation_groups places(s);
-    const twist_axis<T> axis = axis_of(s, in, places.axis);
-    const parameter<T> t = parameter_of(s.t, in, places.t);
-    const parameter<T> twist = s.t_twist ? parameter_of(*s.t_twist, in, places.twist) : t;
+    const places at(s);
+    const twist_axis<T> axis = axis_of(s, in, at.axis);
+    const parameter<T> t = parameter_of(s.t, in, at.t);
+    const parameter<T> twist = s.t_twist ? parameter_of(*s.t_twist, in, at.twist) : t;
     const status result = interpolate(in.quaternion(0), in.quaternion(1), axis, t, twist, out.quaternion(0));
     if (result == status::ok && s.tip) write_tips(s, axis, in, out);
     return result;

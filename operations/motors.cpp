@@ -6,12 +6,16 @@ namespace {
 
 groups one_to_one(const settings&) { return {{motor("m")}, {motor("m")}}; }
 
+std::string numbered(char name, std::size_t number) {
+    return std::string(1, name).append(std::to_string(number));
+}
+
 // The motors, then the weights.
 groups blend_groups(const settings& s) {
     groups g{{}, {motor("m")}};
-    for (std::size_t k = 1; k <= s.motors; ++k) g.in.push_back(motor("m" + std::to_string(k)));
+    for (std::size_t k = 1; k <= s.motors; ++k) g.in.push_back(motor(numbered('m', k)));
     if (s.weights.empty())
-        for (std::size_t k = 1; k <= s.motors; ++k) g.in.push_back(scalar("w" + std::to_string(k)));
+        for (std::size_t k = 1; k <= s.motors; ++k) g.in.push_back(scalar(numbered('w', k)));
     else if (s.weights.size() != s.motors)
         g.fault = "--weights: one for each of the --motors";
     return g;
@@ -146,7 +150,8 @@ std::span<const operation> motors() {
             "  printf 'mx my mz mw mdx mdy mdz mdw\\n0 0 1 0 1 0 0 0\\n' | swivel eval motor_log",
             {},
             [](const settings&) {
-                return groups{{motor("m")}, {vector("b"), vector("n")}};
+                return groups{{motor("m")},
+                              {vector("b", meaning::logarithm), vector("n", meaning::logarithm)}};
             },
             [](const auto&... a) { return swivel::log(a...); },
             [](const auto&... a) { return reference::log(a...); },
@@ -160,7 +165,8 @@ std::span<const operation> motors() {
             "  printf 'bx by bz nx ny nz\\n0 0 0.785398163 0 0 1\\n' | swivel eval motor_exp",
             {},
             [](const settings&) {
-                return groups{{vector("b"), vector("n")}, {motor("m")}};
+                return groups{{vector("b", meaning::logarithm), vector("n", meaning::logarithm)},
+                              {motor("m")}};
             },
             [](const auto&... a) { return swivel::exp(a...); },
             [](const auto&... a) { return reference::exp(a...); },

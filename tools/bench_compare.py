@@ -19,6 +19,7 @@ import tempfile
 
 UNIT_IN_NS = {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}
 BEST_FIRST = ("avx512", "avx2", "sse2", "neon64")
+ROW = re.compile(r"\w+(/still)?/\w+/(soa|aos)/f(32|64)/\d+")
 SMALL, FEW, MANY, HUGE = 1, 16, 1024, 4194304
 
 
@@ -39,9 +40,10 @@ class Rows:
             if entry.get("run_type", "iteration") != "iteration" or entry.get("error_occurred"):
                 continue
             name = entry.get("run_name", entry["name"])
-            if name.count("/") < 4:
+            match = ROW.match(name)
+            if not match:
                 continue
-            name = "/".join(name.split("/")[:5])
+            name = match[0]
             time = float(entry["cpu_time"]) * UNIT_IN_NS[entry.get("time_unit", "ns")]
             self.samples.setdefault(name, []).append(time)
 
@@ -129,7 +131,7 @@ INFORMATION = [
 
 
 def best_isa(names):
-    present = {name.split("/")[1] for name in names}
+    present = {name.split("/")[-4] for name in names}
     return next((isa for isa in BEST_FIRST if isa in present), BEST_FIRST[0])
 
 

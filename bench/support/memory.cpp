@@ -1,4 +1,4 @@
-#include "memory.hpp"
+#include "bench/support/memory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +42,11 @@ const std::vector<sample>& samples() {
     return made;
 }
 
+const sample& sample_at(data d, std::size_t i) {
+    static constexpr sample identity{0, 0, 0, 1};
+    return d == data::still ? identity : samples()[i % distinct];
+}
+
 }  // namespace
 
 void memory::restart() noexcept { used_ = read_ = written_ = 0; }
@@ -72,7 +77,7 @@ memory& shared_memory() {
 }
 
 template <class T>
-workload<T>::workload(std::size_t n, layout l) : n_(n), layout_(l) {
+workload<T>::workload(std::size_t n, layout l, data d) : n_(n), layout_(l), data_(d) {
     shared_memory().restart();
 }
 
@@ -104,7 +109,7 @@ swivel::quat_view<const T> workload<T>::rotations_from(std::size_t first) {
         q = swivel::soa(stream[0], stream[1], stream[2], stream[3], n_);
     }
     for (std::size_t i = 0; i < n_; ++i) {
-        const sample& s = samples()[(i + first) % distinct];
+        const sample& s = sample_at(data_, i + first);
         const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i) * q.stride;
         q.x[at] = static_cast<T>(s.x);
         q.y[at] = static_cast<T>(s.y);
@@ -142,7 +147,7 @@ swivel::vec3_view<const T> workload<T>::axes() {
 
 template <class T>
 swivel::vec3_view<const T> workload<T>::other_axes() {
-    return axes_from(distinct / 4);
+    return axes_from(data_ == data::still ? distinct / 2 : distinct / 4);
 }
 
 template <class T>
@@ -158,7 +163,7 @@ template <class T>
 swivel::matrix_view<const T> workload<T>::matrices() {
     const swivel::matrix_view<T> m = take_matrices(memory::role::read);
     for (std::size_t i = 0; i < n_; ++i) {
-        const auto [x, y, z, w] = samples()[i % distinct];
+        const auto [x, y, z, w] = sample_at(data_, i);
         const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i) * m.stride;
         m.xx[at] = static_cast<T>(1 - 2 * (y * y + z * z));
         m.xy[at] = static_cast<T>(2 * (x * y - z * w));
@@ -191,9 +196,9 @@ swivel::motor_view<const T> workload<T>::motors(std::size_t number) {
     const swivel::motor_view<T> m = take_motors(memory::role::read);
     for (std::size_t i = 0; i < n_; ++i) {
         const std::size_t first = i + number * (distinct / 5);
-        const auto [x, y, z, w] = samples()[first % distinct];
+        const auto [x, y, z, w] = sample_at(data_, first);
         const sample& s = samples()[(first + distinct / 2) % distinct];
-        const double half = 0.5 / std::sqrt(s.x * s.x + s.y * s.y + s.z * s.z);
+        const double half = data_ == data::still ? 0 : 0.5 / std::sqrt(s.x * s.x + s.y * s.y + s.z * s.z);
         const double tx = half * s.x, ty = half * s.y, tz = half * s.z;
         const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i) * m.stride;
         m.x[at] = static_cast<T>(x);
@@ -225,7 +230,7 @@ template <class T>
 swivel::conformal_view<const T> workload<T>::rotors() {
     const swivel::conformal_view<T> v = take_rotors(memory::role::read);
     for (std::size_t i = 0; i < n_; ++i) {
-        const auto [x, y, z, w] = samples()[i % distinct];
+        const auto [x, y, z, w] = sample_at(data_, i);
         const double c[16] = {w,
                               -z,
                               y,
@@ -254,11 +259,58 @@ swivel::conformal_view<T> workload<T>::written_rotors() {
 }
 
 template <class T>
+swivel::bivector_view<T> workload<T>::take_bivectors(memory::role r) {
+    swivel::bivector_view<T> v{{}, n_, layout_ == layout::aos ? 10 : 1};
+    T* const array = layout_ == layout::aos ? take(10 * n_, r) : nullptr;
+    for (int k = 0; k < 10; ++k) v.blade[k] = array != nullptr ? array + k : take(n_, r);
+    return v;
+}
+
+template <class T>
+swivel::bivector_view<const T> workload<T>::bivectors() {
+    const swivel::bivector_view<T> v = take_bivectors(memory::role::read);
+    for (std::size_t i = 0; i < n_; ++i) {
+        const auto [x, y, z, w] = sample_at(data_, i);
+        const double moved = 1 - w * w, b[10] = {-z,         y,          -moved * x, -moved * x, -x,
+                                                 -moved * y, -moved * y, -moved * z, -moved * z, 0};
+        for (int k = 0; k < 10; ++k)
+            v.blade[k][static_cast<std::ptrdiff_t>(i) * v.stride] = static_cast<T>(b[k]);
+    }
+    return v;
+}
+
+template <class T>
+swivel::bivector_view<T> workload<T>::written_bivectors() {
+    return take_bivectors(memory::role::written);
+}
+
+// Of length 1, or 0.
+template <class T>
+swivel::vec3_view<const T> workload<T>::logarithms() {
+    const swivel::vec3_view<const T> v = axes();
+    if (data_ == data::ordinary) return v;
+    const swivel::vec3_view<T> zero = vectors();
+    return zero;
+}
+
+template <class T>
+swivel::spinor_view<const T> workload<T>::spinors() {
+    const swivel::quat_view<const T> q = rotations();
+    return {q.x, q.y, q.z, q.w, q.size, q.stride};
+}
+
+template <class T>
+swivel::spinor_view<T> workload<T>::written_spinors() {
+    const swivel::quat_view<T> q = quaternions();
+    return {q.x, q.y, q.z, q.w, q.size, q.stride};
+}
+
+template <class T>
 swivel::factor_view<const T> workload<T>::factors() {
     T* stream[5];
     for (T*& s : stream) s = take(n_, memory::role::read);
     for (std::size_t i = 0; i < n_; ++i) {
-        const sample& s = samples()[i % distinct];
+        const sample& s = sample_at(data_, i);
         const double r = std::sqrt(s.w * s.w + s.z * s.z), tc = s.w / r, ts = s.z / r;
         stream[0][i] = static_cast<T>(tc * s.x - ts * s.y);
         stream[1][i] = static_cast<T>(tc * s.y + ts * s.x);

@@ -11,6 +11,9 @@ namespace swivel_bench {
 
 enum class layout { soa, aos };
 
+// Still: rotations and motors are the identity, and b is a.
+enum class data { ordinary, still };
+
 // A block of memory that all rows share, one after the other: it grows to the size of the largest row, and
 // its pages stay mapped, so that no row pays for them.
 class memory {
@@ -38,7 +41,7 @@ memory& shared_memory();
 template <class T>
 class workload {
 public:
-    workload(std::size_t n, layout l);
+    workload(std::size_t n, layout l, data d = data::ordinary);
 
     swivel::quat_view<const T> rotations();
     // Others than those, at all distances from them.
@@ -51,8 +54,14 @@ public:
     swivel::factor_view<const T> factors();
     // Of the rotations, each with a translation along its vector part.
     swivel::conformal_view<const T> rotors();
+    // Their logarithms; and of the motors, or the rotations alone.
+    swivel::bivector_view<const T> bivectors();
+    swivel::vec3_view<const T> logarithms();
+    swivel::spinor_view<const T> spinors();
     swivel::quat_view<T> quaternions();
     swivel::conformal_view<T> written_rotors();
+    swivel::bivector_view<T> written_bivectors();
+    swivel::spinor_view<T> written_spinors();
     swivel::vec3_view<T> vectors();
     swivel::matrix_view<T> written_matrices();
     swivel::scalar_view<T> scalars();
@@ -73,6 +82,7 @@ public:
 
 private:
     swivel::quat_view<const T> rotations_from(std::size_t first);
+    swivel::bivector_view<T> take_bivectors(memory::role r);
     swivel::vec3_view<const T> axes_from(std::size_t first);
     swivel::matrix_view<T> take_matrices(memory::role r);
     swivel::motor_view<T> take_motors(memory::role r);
@@ -81,6 +91,7 @@ private:
 
     std::size_t n_;
     layout layout_;
+    data data_;
 };
 
 extern template class workload<float>;

@@ -3,8 +3,8 @@
 
 #include <type_traits>
 
-#include "../peers/peers.hpp"
-#include "row.hpp"
+#include "bench/peers/peers.hpp"
+#include "bench/support/row.hpp"
 
 namespace swivel_bench {
 

@@ -1,4 +1,4 @@
-#include "support/peer_rows.hpp"
+#include "bench/support/peer_rows.hpp"
 
 namespace swivel_bench {
 
@@ -6,20 +6,6 @@ namespace {
 
 template <class T>
 inline constexpr T angle = T(0.7);
-
-template <class T>
-void add_library() {
-    add_library_rows<T>("shortest_arc", [](workload<T>& streams, swivel::options o) {
-        const auto v = streams.axes(), w = streams.other_axes();
-        const auto q = streams.quaternions();
-        return [=] { return swivel::shortest_arc(v, w, q, o); };
-    });
-    add_library_rows<T>("arc_with_twist", [](workload<T>& streams, swivel::options o) {
-        const auto v = streams.axes(), w = streams.other_axes();
-        const auto q = streams.quaternions();
-        return [=] { return swivel::arc_with_twist(v, w, angle<T>, q, o); };
-    });
-}
 
 template <class T, class Function>
 void add_peer(std::string_view op, std::string_view who, Function function) {
@@ -38,7 +24,6 @@ void add_twist_peer(std::string_view who, Function function) {
 
 template <class T>
 void add_all() {
-    add_library<T>();
 #ifdef SWIVEL_BENCH_HAS_EIGEN
     add_peer<T>("shortest_arc", "eigen", eigen::shortest_arc<T>);
     add_twist_peer<T>("eigen", eigen::arc_with_twist<T>);

@@ -1,4 +1,4 @@
-#include "support/peer_rows.hpp"
+#include "bench/support/peer_rows.hpp"
 
 namespace swivel_bench {
 
@@ -6,30 +6,6 @@ namespace {
 
 template <class T>
 inline constexpr T exponent = T(0.3);
-
-template <class T>
-void add_library() {
-    add_library_rows<T>("square_root", [](workload<T>& streams, swivel::options o) {
-        const auto q = streams.rotations();
-        const auto out = streams.quaternions();
-        return [=] { return swivel::square_root(q, out, o); };
-    });
-    add_library_rows<T>("exp", [](workload<T>& streams, swivel::options o) {
-        const auto b = streams.axes();
-        const auto out = streams.quaternions();
-        return [=] { return swivel::exp(b, out, o); };
-    });
-    add_library_rows<T>("log", [](workload<T>& streams, swivel::options o) {
-        const auto q = streams.rotations();
-        const auto out = streams.vectors();
-        return [=] { return swivel::log(q, out, o); };
-    });
-    add_library_rows<T>("power", [](workload<T>& streams, swivel::options o) {
-        const auto q = streams.rotations();
-        const auto out = streams.quaternions();
-        return [=] { return swivel::power(q, exponent<T>, out, o); };
-    });
-}
 
 // Functions of n rotations, which give n quaternions or vectors.
 template <class T, class Function>
@@ -57,7 +33,6 @@ void add_power_peer(std::string_view who, Function power) {
 
 template <class T>
 void add_all() {
-    add_library<T>();
 #ifdef SWIVEL_BENCH_HAS_EIGEN
     add_peer<T>("square_root", "eigen", eigen::square_root<T>);
     add_exp_peer<T>("eigen", eigen::exp<T>);

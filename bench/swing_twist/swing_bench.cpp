@@ -1,19 +1,8 @@
-#include "support/peer_rows.hpp"
+#include "bench/support/peer_rows.hpp"
 
 namespace swivel_bench {
 
 namespace {
-
-// make_axis(workload<T>&) gives what the twist axis is made from.
-template <class T, class MakeAxis>
-void add_form(std::string_view op, MakeAxis make_axis) {
-    add_library_rows<T>(op, [make_axis](workload<T>& streams, swivel::options o) {
-        const auto q = streams.rotations();
-        const swivel::twist_axis<T> a = make_axis(streams);
-        const auto out = streams.quaternions();
-        return [=] { return swivel::swing(q, a, out, o); };
-    });
-}
 
 template <class T, class Function>
 void add_quaternion_peer(std::string_view who, Function swing) {
@@ -38,9 +27,6 @@ void add_plain(Plain, std::string_view who) {
 
 template <class T>
 void add_all() {
-    add_form<T>("swing", [](workload<T>&) { return oblique<T>; });
-    add_form<T>("swing_z", [](workload<T>&) { return swivel::axis::z; });
-    add_form<T>("swing_per_element", [](workload<T>& streams) { return streams.axes(); });
 #ifdef SWIVEL_BENCH_HAS_EIGEN
     add_quaternion_peer<T>("eigen", eigen::swing<T>);
 #endif

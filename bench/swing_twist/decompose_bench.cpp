@@ -1,28 +1,8 @@
-#include "support/peer_rows.hpp"
+#include "bench/support/peer_rows.hpp"
 
 namespace swivel_bench {
 
 namespace {
-
-// make_axis(workload<T>&) gives what the twist axis is made from.
-template <class T, class MakeAxis>
-void add_full(std::string_view op, MakeAxis make_axis) {
-    add_library_rows<T>(op, [make_axis](workload<T>& streams, swivel::options o) {
-        const auto q = streams.rotations();
-        const swivel::twist_axis<T> a = make_axis(streams);
-        const auto swing = streams.quaternions(), twist = streams.quaternions();
-        return [=] { return swivel::decompose(q, a, swing, twist, o); };
-    });
-}
-
-template <class T>
-void add_compact() {
-    add_library_rows<T>("decompose_compact", [](workload<T>& streams, swivel::options o) {
-        const auto q = streams.rotations();
-        const auto out = streams.written_factors();
-        return [=] { return swivel::decompose(q, swivel::axis::z, out, o); };
-    });
-}
 
 template <class T, class Function>
 void add_quaternion_peer(std::string_view who, Function decompose) {
@@ -81,10 +61,6 @@ void add_physx() {
 
 template <class T>
 void add_all() {
-    add_full<T>("decompose", [](workload<T>&) { return oblique<T>; });
-    add_full<T>("decompose_z", [](workload<T>&) { return swivel::axis::z; });
-    add_full<T>("decompose_per_element", [](workload<T>& streams) { return streams.axes(); });
-    add_compact<T>();
 #ifdef SWIVEL_BENCH_HAS_EIGEN
     add_quaternion_peer<T>("eigen", eigen::decompose<T>);
 #endif

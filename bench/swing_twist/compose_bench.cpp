@@ -1,23 +1,8 @@
-#include "support/peer_rows.hpp"
+#include "bench/support/peer_rows.hpp"
 
 namespace swivel_bench {
 
 namespace {
-
-template <class T>
-void add_library() {
-    // Any two quaternions will do; nothing depends on the values.
-    add_library_rows<T>("compose", [](workload<T>& streams, swivel::options o) {
-        const auto swing = streams.rotations(), twist = streams.rotations();
-        const auto q = streams.quaternions();
-        return [=] { return swivel::compose(swing, twist, q, o); };
-    });
-    add_library_rows<T>("compose_compact", [](workload<T>& streams, swivel::options o) {
-        const auto factors = streams.factors();
-        const auto q = streams.quaternions();
-        return [=] { return swivel::compose(factors, swivel::axis::z, q, o); };
-    });
-}
 
 template <class T, class Function>
 void add_quaternion_peer(std::string_view who, Function compose) {
@@ -44,7 +29,6 @@ void add_plain(Plain, std::string_view who) {
 
 template <class T>
 void add_all() {
-    add_library<T>();
 #ifdef SWIVEL_BENCH_HAS_EIGEN
     add_quaternion_peer<T>("eigen", eigen::compose<T>);
 #endif

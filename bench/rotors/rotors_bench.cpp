@@ -1,6 +1,4 @@
-#include "support/peer_rows.hpp"
-
-// multiply, conjugate, normalize, rotate, dot and align_signs.
+#include "bench/support/peer_rows.hpp"
 
 namespace swivel_bench {
 
@@ -9,52 +7,6 @@ namespace {
 // A half turn about an oblique axis.
 template <class T>
 constexpr swivel::quat<T> one_rotation{oblique<T>.x, oblique<T>.y, oblique<T>.z, T(0)};
-
-template <class T>
-void add_library() {
-    add_library_rows<T>("multiply", [](workload<T>& streams, swivel::options o) {
-        const auto a = streams.rotations(), b = streams.rotations();
-        const auto out = streams.quaternions();
-        return [=] { return swivel::multiply(a, b, out, o); };
-    });
-    add_library_rows<T>("conjugate", [](workload<T>& streams, swivel::options o) {
-        const auto q = streams.rotations();
-        const auto out = streams.quaternions();
-        return [=] { return swivel::conjugate(q, out, o); };
-    });
-    add_library_rows<T>("normalize", [](workload<T>& streams, swivel::options o) {
-        const auto q = streams.rotations();
-        const auto out = streams.quaternions();
-        return [=] { return swivel::normalize(q, out, o); };
-    });
-    add_library_rows<T>("rotate", [](workload<T>& streams, swivel::options o) {
-        const auto q = streams.rotations();
-        const auto v = streams.axes();
-        const auto out = streams.vectors();
-        return [=] { return swivel::rotate(q, v, out, o); };
-    });
-    add_library_rows<T>("rotate_by_one", [](workload<T>& streams, swivel::options o) {
-        const auto v = streams.axes();
-        const auto out = streams.vectors();
-        return [=] { return swivel::rotate(one_rotation<T>, v, out, o); };
-    });
-    add_library_rows<T>("dot", [](workload<T>& streams, swivel::options o) {
-        const auto a = streams.rotations(), b = streams.rotations();
-        const auto out = streams.scalars();
-        return [=] { return swivel::dot(a, b, out, o); };
-    });
-    add_library_rows<T>("align_signs", [](workload<T>& streams, swivel::options o) {
-        const auto q = streams.rotations(), neighbour = streams.rotations();
-        const auto out = streams.quaternions();
-        return [=] { return swivel::align_signs(q, neighbour, out, o); };
-    });
-    // Of random rotations, every other one of which is turned over.
-    add_library_rows<T>("align_signs_sequence", [](workload<T>& streams, swivel::options o) {
-        const auto q = streams.rotations();
-        const auto out = streams.quaternions();
-        return [=] { return swivel::align_signs(q, out, o); };
-    });
-}
 
 template <class T, class Multiply, class Normalize, class Rotate, class RotateByOne>
 void add_quaternion_peer(std::string_view who, Multiply multiply, Normalize normalize, Rotate rotate,
@@ -109,7 +61,6 @@ void add_plain(Plain, std::string_view who) {
 
 template <class T>
 void add_all() {
-    add_library<T>();
 #ifdef SWIVEL_BENCH_HAS_EIGEN
     add_quaternion_peer<T>("eigen", eigen::compose<T>, eigen::normalize<T>, eigen::rotate<T>,
                            eigen::rotate_by_one<T>);

@@ -1,50 +1,8 @@
-#include "support/peer_rows.hpp"
+#include "bench/support/peer_rows.hpp"
 
 namespace swivel_bench {
 
 namespace {
-
-template <class T>
-void add_library() {
-    add_library_rows<T>("from_matrix", [](workload<T>& streams, swivel::options o) {
-        const auto m = streams.matrices();
-        const auto q = streams.quaternions();
-        return [=] { return swivel::from_matrix(m, q, o); };
-    });
-    add_library_rows<T>("to_matrix", [](workload<T>& streams, swivel::options o) {
-        const auto q = streams.rotations();
-        const auto m = streams.written_matrices();
-        return [=] { return swivel::to_matrix(q, m, o); };
-    });
-    // The angles are those components, up to one radian.
-    add_library_rows<T>("from_euler", [](workload<T>& streams, swivel::options o) {
-        const auto radians = streams.axes();
-        const auto q = streams.quaternions();
-        return [=] { return swivel::from_euler(radians, swivel::euler_order::zxy, q, o); };
-    });
-    add_library_rows<T>("to_euler", [](workload<T>& streams, swivel::options o) {
-        const auto q = streams.rotations();
-        const auto radians = streams.vectors();
-        return [=] { return swivel::to_euler(q, swivel::euler_order::zxy, radians, o); };
-    });
-    add_library_rows<T>("from_axis_angle", [](workload<T>& streams, swivel::options o) {
-        const auto radians = streams.parameters();
-        const auto q = streams.quaternions();
-        return [=] { return swivel::from_axis_angle(oblique<T>, radians, q, o); };
-    });
-    add_library_rows<T>("to_axis_angle", [](workload<T>& streams, swivel::options o) {
-        const auto q = streams.rotations();
-        const auto a = streams.vectors();
-        const auto radians = streams.scalars();
-        return [=] { return swivel::to_axis_angle(q, a, radians, o); };
-    });
-    add_library_rows<T>("from_spinor", [](workload<T>& streams, swivel::options o) {
-        const auto q = streams.rotations();
-        const auto out = streams.quaternions();
-        const swivel::spinor_view<const T> s{q.x, q.y, q.z, q.w, q.size, q.stride};
-        return [=] { return swivel::from_spinor(s, out, o); };
-    });
-}
 
 // The functions of a peer's namespace.
 template <class T>
@@ -85,7 +43,6 @@ void add_peer(std::string_view who, const conversions<T>& peer) {
 
 template <class T>
 void add_all() {
-    add_library<T>();
 #ifdef SWIVEL_BENCH_HAS_EIGEN
     add_peer<T>("eigen", {eigen::from_matrix<T>, eigen::to_matrix<T>, eigen::from_euler<T>,
                           eigen::to_euler<T>, eigen::from_axis_angle<T>});
