@@ -111,6 +111,21 @@ std::span<const operation> rotors() {
                 return dot(in.quaternion(0), in.quaternion(1), out.scalar(0), s.options);
             }),
         describe(
+            "angle_between", "How far one rotation is from another",
+            "Reads ax ay az aw bx by bz bw. Writes angle, in radians in [0, pi]: q and -q are the same "
+            "rotation.\n\n"
+            "Examples:\n"
+            "  printf 'ax ay az aw bx by bz bw\\n0 0 0 1 0 0 .6 .8\\n' | swivel eval angle_between --degrees",
+            {},
+            [](const settings&) {
+                return groups{{quaternion("a"), quaternion("b")}, {scalar("angle", meaning::angle)}};
+            },
+            [](const auto&... a) { return swivel::angle_between(a...); },
+            [](const auto&... a) { return reference::angle_between(a...); },
+            [](auto angle_between, const settings& s, const auto& in, const auto& out) {
+                return angle_between(in.quaternion(0), in.quaternion(1), out.scalar(0), s.options);
+            }),
+        describe(
             "align_signs", "Of q and -q, the same rotation, the one on the side of its neighbour",
             "Reads qx qy qz qw and the neighbour nx ny nz nw; with --sequence qx qy qz qw alone, the "
             "neighbour\n"

@@ -111,6 +111,10 @@ status rotate(const quat<float>& q, const vec3_view<const float>& v, const vec3_
               options = {}) noexcept;
 status rotate(const quat<double>& q, const vec3_view<const double>& v, const vec3_view<double>& out,
               options = {}) noexcept;
+status angle_between(const quat_view<const float>& a, const quat_view<const float>& b,
+                     const scalar_view<float>& radians, options = {}) noexcept;
+status angle_between(const quat_view<const double>& a, const quat_view<const double>& b,
+                     const scalar_view<double>& radians, options = {}) noexcept;
 status dot(const quat_view<const float>& a, const quat_view<const float>& b, const scalar_view<float>& out,
            options = {}) noexcept;
 status dot(const quat_view<const double>& a, const quat_view<const double>& b, const scalar_view<double>& out,

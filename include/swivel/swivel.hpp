@@ -4,6 +4,7 @@
 // Everything. Conventions and the contract that all operations share are in types.hpp.
 
 #include "swivel/align_signs.hpp"
+#include "swivel/angle_between.hpp"
 #include "swivel/arc_with_twist.hpp"
 #include "swivel/atan2.hpp"
 #include "swivel/axis_angle.hpp"

@@ -1,5 +1,6 @@
 #include "kernels/loops/tables.hpp"
 #include "kernels/rotors/align_signs.hpp"
+#include "kernels/rotors/angle_between.hpp"
 #include "kernels/rotors/conjugate.hpp"
 #include "kernels/rotors/dot.hpp"
 #include "kernels/rotors/normalize.hpp"
@@ -33,6 +34,11 @@ struct rotate_by_one_variants : light {
 struct dot_variants : light {
     template <class V, int P>
     using op = dot_op<precision_index(P), V>;
+};
+
+struct angle_between_variants : heavy {
+    template <class V, int P>
+    using op = angle_between_op<precision_index(P), V>;
 };
 
 struct align_signs_variants : light {
@@ -76,6 +82,13 @@ constinit const dot_kernels<float> kernels_on<dot_kernels<float>, here>::table =
 template <>
 constinit const dot_kernels<double> kernels_on<dot_kernels<double>, here>::table =
     table_of<dot_kernels<double>, double, dot_variants>();
+
+template <>
+constinit const angle_between_kernels<float> kernels_on<angle_between_kernels<float>, here>::table =
+    table_of<angle_between_kernels<float>, float, angle_between_variants>();
+template <>
+constinit const angle_between_kernels<double> kernels_on<angle_between_kernels<double>, here>::table =
+    table_of<angle_between_kernels<double>, double, angle_between_variants>();
 
 template <>
 constinit const align_signs_kernels<float> kernels_on<align_signs_kernels<float>, here>::table =

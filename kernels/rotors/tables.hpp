@@ -16,6 +16,8 @@ struct rotate_by_one_kernels : kernel_set<T, precisions> {};
 template <class T>
 struct dot_kernels : kernel_set<T, precisions> {};
 template <class T>
+struct angle_between_kernels : kernel_set<T, precisions> {};
+template <class T>
 struct align_signs_kernels : kernel_set<T, precisions> {};
 
 }  // namespace swivel

@@ -1,9 +1,10 @@
 #include "swivel/reference.hpp"
 
+#include "src/exponentials/reference.hpp"
 #include "src/reference/elements.hpp"
 #include "src/reference/scalar.hpp"
 
-// multiply, conjugate, normalize, rotate, dot and align_signs.
+// multiply, conjugate, normalize, rotate, dot, angle_between and align_signs.
 
 namespace swivel::reference {
 
@@ -53,6 +54,25 @@ status dot_all(const quat_view<const T>& a, const quat_view<const T>& b, const s
                const options& o) {
     return for_each<T>(o, std::tuple(a, b), std::tuple(out),
                        [&](std::size_t i) { write(out, i, finite_or_nan(dot(read(a, i), read(b, i)))); });
+}
+
+template <class T>
+T angle_between_of(const quat<T>& a, const quat<T>& b) {
+    const T cosine = dot(a, b), a_squared = dot(a, a);
+    const bool same_length = std::fabs(a_squared - dot(b, b)) < T(0x1p-10) * a_squared;
+    const T k = same_length ? std::copysign(T(1), cosine) : cosine / floored(a_squared);
+    const quat<T> apart{b.x - k * a.x, b.y - k * a.y, b.z - k * a.z, b.w - k * a.w};
+    const quat<T> turn = hamilton(reversed(a), apart);
+    const polar_form<T> q = polar({turn.x, turn.y, turn.z, std::fabs(cosine)}, T(1));
+    const T half = atan2_of(q.m, q.w);
+    return half + half;
+}
+
+template <class T>
+status angle_between_all(const quat_view<const T>& a, const quat_view<const T>& b,
+                         const scalar_view<T>& radians, const options& o) {
+    return for_each<T>(o, std::tuple(a, b), std::tuple(radians),
+                       [&](std::size_t i) { write(radians, i, angle_between_of(read(a, i), read(b, i))); });
 }
 
 template <class T>
@@ -125,6 +145,14 @@ status dot(const quat_view<const float>& a, const quat_view<const float>& b, con
 status dot(const quat_view<const double>& a, const quat_view<const double>& b, const scalar_view<double>& out,
            options o) noexcept {
     return dot_all<double>(a, b, out, o);
+}
+status angle_between(const quat_view<const float>& a, const quat_view<const float>& b,
+                     const scalar_view<float>& radians, options o) noexcept {
+    return angle_between_all<float>(a, b, radians, o);
+}
+status angle_between(const quat_view<const double>& a, const quat_view<const double>& b,
+                     const scalar_view<double>& radians, options o) noexcept {
+    return angle_between_all<double>(a, b, radians, o);
 }
 status align_signs(const quat_view<const float>& q, const quat_view<const float>& neighbour,
                    const quat_view<float>& out, options o) noexcept {
