@@ -91,6 +91,12 @@ void twist_angle(const T* q, swivel::vec3<T> a, T* radians, std::size_t n) noexc
 }
 
 template <class T>
+void angle_between(const T* a, const T* b, T* radians, std::size_t n) noexcept {
+    const quaternion<T>*from = array_of(a), *to = array_of(b);
+    for (std::size_t i = 0; i < n; ++i) radians[i] = from[i].angularDistance(to[i]);
+}
+
+template <class T>
 void compose(const T* swing, const T* twist, T* q, std::size_t n) noexcept {
     const quaternion<T>*const s = array_of(swing), *const t = array_of(twist);
     quaternion<T>* const to = array_of(q);
@@ -266,6 +272,8 @@ template void swing(const float*, swivel::vec3<float>, float*, std::size_t) noex
 template void swing(const double*, swivel::vec3<double>, double*, std::size_t) noexcept;
 template void twist_angle(const float*, swivel::vec3<float>, float*, std::size_t) noexcept;
 template void twist_angle(const double*, swivel::vec3<double>, double*, std::size_t) noexcept;
+template void angle_between(const float*, const float*, float*, std::size_t) noexcept;
+template void angle_between(const double*, const double*, double*, std::size_t) noexcept;
 template void compose(const float*, const float*, float*, std::size_t) noexcept;
 template void compose(const double*, const double*, double*, std::size_t) noexcept;
 template void normalize(const float*, float*, std::size_t) noexcept;

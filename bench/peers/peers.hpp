@@ -22,6 +22,8 @@ void swing(const T* q, swivel::vec3<T> a, T* out, std::size_t n) noexcept;
 template <class T>
 void twist_angle(const T* q, swivel::vec3<T> a, T* radians, std::size_t n) noexcept;
 template <class T>
+void angle_between(const T* a, const T* b, T* radians, std::size_t n) noexcept;
+template <class T>
 void compose(const T* swing, const T* twist, T* q, std::size_t n) noexcept;
 template <class T>
 void normalize(const T* q, T* out, std::size_t n) noexcept;

@@ -34,6 +34,15 @@ void add_quaternion_peer(std::string_view who, Multiply multiply, Normalize norm
     });
 }
 
+template <class T, class Function>
+void add_angle_peer(std::string_view who, Function angle_between) {
+    add_rows<T>("angle_between", who, layout::aos, [angle_between](workload<T>& streams) {
+        const auto a = streams.rotations(), b = streams.other_rotations();
+        const auto out = streams.scalars();
+        return [=] { angle_between(a.x, b.x, out.data, a.size); };
+    });
+}
+
 template <class T, class Plain>
 void add_plain(Plain, std::string_view who) {
     add_rows<T>("multiply", who, layout::soa, [](workload<T>& streams) {
@@ -64,6 +73,7 @@ void add_all() {
 #ifdef SWIVEL_BENCH_HAS_EIGEN
     add_quaternion_peer<T>("eigen", eigen::compose<T>, eigen::normalize<T>, eigen::rotate<T>,
                            eigen::rotate_by_one<T>);
+    add_angle_peer<T>("eigen", eigen::angle_between<T>);
 #endif
 #ifdef SWIVEL_BENCH_HAS_GLM
     add_quaternion_peer<T>("glm", glm_peer::compose<T>, glm_peer::normalize<T>, glm_peer::rotate<T>,
