@@ -25,14 +25,20 @@ namespace {
 // Cheaper than to transpose what it reads and writes: in `fast` tails and arrays have bodies of their own. The
 // rest, and everything in `reproducible`, has one body, through which arrays go by way of blocks.
 struct light {
-    static constexpr bool is_light = true, in_twins = false;
+    static constexpr bool in_twins = false;
+    template <int...>
+    static constexpr bool is_light = true;
 };
 struct heavy {
-    static constexpr bool is_light = false, in_twins = false;
+    static constexpr bool in_twins = false;
+    template <int...>
+    static constexpr bool is_light = false;
 };
 // Of many steps that wait for one another: two registers at a time (twin.hpp).
 struct deep {
-    static constexpr bool is_light = false, in_twins = true;
+    static constexpr bool in_twins = true;
+    template <int...>
+    static constexpr bool is_light = false;
 };
 
 template <class V, class Op>
@@ -50,7 +56,7 @@ template <class V, class Kind, int... Which>
 constexpr loops<scalar_of<V>> loops_of() noexcept {
     constexpr int which[] = {Which...};
     constexpr bool is_fast = which[sizeof...(Which) - 1] == fast_index;
-    if constexpr (Kind::is_light && is_fast) {
+    if constexpr (Kind::template is_light<Which...> && is_fast) {
         using op = typename Kind::template op<V, Which...>;
         return {light_loop<V, op>, light_any<V, op>};
     } else {

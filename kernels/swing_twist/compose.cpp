@@ -7,12 +7,19 @@ namespace swivel {
 
 namespace {
 
+// Signs are given now and then only.
 struct compose_variants : light {
+    template <int Signs, int P>
+    static constexpr bool is_light = Signs == 0;
+
     template <class V, int Signs, int P>
     using op = compose_op<precision_index(P), Signs != 0, V>;
 };
 
 struct compose_compact_variants : light {
+    template <int Signs, int P>
+    static constexpr bool is_light = Signs == 0;
+
     template <class V, int Signs, int P>
     using op = compose_compact_op<precision_index(P), Signs != 0, V>;
 };

@@ -7,12 +7,19 @@ namespace swivel {
 
 namespace {
 
+// Signs are kept now and then only.
 struct decompose_variants : light {
+    template <int Form, int Keeps, int P>
+    static constexpr bool is_light = Keeps == 0;
+
     template <class V, int Form, int Keeps, int P>
     using op = decompose_op<axis_form<Form, P, V>, Keeps != 0, V>;
 };
 
 struct decompose_compact_variants : light {
+    template <int Keeps, int P>
+    static constexpr bool is_light = Keeps == 0;
+
     template <class V, int Keeps, int P>
     using op = decompose_compact_op<axis_form<coordinate_index, P, V>, Keeps != 0, V>;
 };
