@@ -12,9 +12,11 @@
 //                                a time
 //   takes_twins                  whether two registers at a time are quicker where each step waits for the one
 //                                before (twin.hpp)
-//   has_fma                      if so, fused(a, b, c), a b + c, and fused_negative(a, b, c), c - a b, each rounded once
-//   newton_steps<T>              how many steps of Newton rsqrt_estimate(t) takes to 1 / sqrt(t) in full; -1: there is
-//                                no estimate
+//   has_fma                      whether there are fused(a, b, c), a b + c, and fused_negative(a, b, c), c - a b, each
+//                                rounded once
+//   rsqrt_estimate(t)            1 / sqrt(t), roughly
+//   newton_steps<T>              how many steps of Newton it takes from there to full precision; -1: there is no
+//                                estimate for T
 //   newton_one<T>                the 1 of those steps, and what keeps the root from being too small
 //   square_root_of(a)            correctly rounded
 //   quotient(a, b)               correctly rounded

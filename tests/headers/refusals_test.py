@@ -95,7 +95,8 @@ class Refusals(unittest.TestCase):
         self.assertIn("src/interpolation/sub/slerp.cpp:1: no rule says what may be included here\n", output)
 
     def test_nothing_to_check_is_a_failure(self):
-        self.assertEqual(self.check("check_includes.py", {path: None for path in LIBRARY}), (1, "0 faults in 0 files\n"))
+        nothing = {path: None for path in LIBRARY}
+        self.assertEqual(self.check("check_includes.py", nothing), (1, "0 faults in 0 files\n"))
 
     def test_a_header_outside_its_family_is_refused(self):
         for changes, fault in (
