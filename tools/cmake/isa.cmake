@@ -1,11 +1,12 @@
-# The ISAs of the build, best first: one row each, "name|processor|flags". Each becomes an OBJECT library with flags of
-# its own, whose objects go into the static library; the rest of the library has the baseline flags.
+# The ISAs of the build, best first: one row each, "name|processor|registers|flags". Each becomes an OBJECT library with
+# flags of its own, whose objects go into the static library; the rest of the library has the baseline flags. Its
+# registers are those of kernels/registers/<registers>.hpp.
 
 set(swivel_isa_rows
-    "avx512|x86_64|-mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx512vl -mfma"
-    "avx2|x86_64|-mavx2 -mfma"
-    "sse2|x86_64|-msse2"
-    "neon64|aarch64|")
+    "avx512|x86_64|x86_512|-mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx512vl -mfma"
+    "avx2|x86_64|x86_256|-mavx2 -mfma"
+    "sse2|x86_64|x86_128|-msse2"
+    "neon64|aarch64|neon|")
 set(SWIVEL_ISAS "" CACHE STRING "ISAs to build kernels for besides the baseline; empty: all")
 set(swivel_baseline sse2 neon64)
 
@@ -70,7 +71,8 @@ function(swivel_add_kernels target)
         string(REPLACE "|" ";" row "${row}")
         list(GET row 0 isa)
         list(GET row 1 processor)
-        list(GET row 2 flags)
+        list(GET row 2 registers)
+        list(GET row 3 flags)
         if(NOT swivel_processor STREQUAL processor OR (SWIVEL_ISAS AND NOT isa IN_LIST SWIVEL_ISAS AND NOT isa IN_LIST swivel_baseline))
             continue()
         endif()
@@ -85,7 +87,8 @@ function(swivel_add_kernels target)
         endforeach()
         add_library(swivel_${isa} OBJECT ${stubs})
         target_compile_features(swivel_${isa} PRIVATE cxx_std_20)
-        target_compile_definitions(swivel_${isa} PRIVATE SWIVEL_KERNEL_ISA=${isa})
+        target_compile_definitions(swivel_${isa} PRIVATE
+            SWIVEL_KERNEL_ISA=${isa} SWIVEL_KERNEL_REGISTERS="kernels/registers/${registers}.hpp")
         target_include_directories(swivel_${isa} PRIVATE ${PROJECT_SOURCE_DIR})
         target_include_directories(swivel_${isa} SYSTEM PRIVATE "${swivel_xsimd}")
         # Always -O2, also in a debug build: without inlining, functions of xsimd are emitted under names that two
