@@ -125,6 +125,101 @@ class Tables(CommandTest):
         self.fails(1, "<stdin>:1:15: the column 'n' is there twice", "eval", "twist", "--pass",
                    stdin="qx qy qz qw n n\n")
 
+    def test_columns_without_a_name_are_passed(self):
+        table = ",qx,qy,qz,qw\n17,0,0,1,0\n18,0,0,0,1\n"
+        self.assertEqual(self.twist(table, "--pass"), b",tx,ty,tz,tw\n17,0,0,1,0\n18,0,0,0,1\n")
+        self.assertEqual(self.twist("qx,,qy,\"\",qz,qw\n0,a,0,b,1,0\n", "--pass"), b",,tx,ty,tz,tw\na,b,0,0,1,0\n")
+        self.fails(1, "<stdin>:1:1: a column without a name, expected a header row with the columns qx qy qz qw "
+                   "(--pass copies other ones)", "eval", "twist", stdin=table)
+
+    def test_semicolons_separate_when_asked_for(self):
+        decimal = ("--separator", ";", "--decimal", ",")
+        for table in ("qx;qy;qz;qw\n0;0;0,6;0,8\n", "\ufeffqw; qz ;qy;qx\r\n 8e-1;+0,6 ; 0 ;0\r\n",
+                      '"qx";"qy";"qz";"qw"\n0;0;"0,6";,8\n'):
+            self.assertEqual(self.twist(table, *decimal), TWIST_HEADER + b"0,0,0.6,0.8\n", table)
+        self.assertEqual(self.twist("n;qx;qy;qz;qw\n1,5;0;0;1;0\n;0;0;1;0\n", "--pass", *decimal),
+                         b'n,tx,ty,tz,tw\n"1,5",0,0,1,0\n,0,0,1,0\n')
+        self.assertEqual(self.twist("qx;qy;qz;qw\n0;0;.6;.8\n", "--separator", ";"), TWIST_HEADER + b"0,0,0.6,0.8\n")
+        self.assertEqual(self.twist("qx\tqy\tqz\tqw\n0\t0\t0,6\t 0,8 \n", "--separator", "tab", "--decimal", ","),
+                         TWIST_HEADER + b"0,0,0.6,0.8\n")
+        self.assertEqual(self.twist("q x,qy,qz,qw\n0,0,.6,.8\n", "--separator", ",", "--columns", "q=q x,qy,qz,qw"),
+                         TWIST_HEADER + b"0,0,0.6,0.8\n")
+        header = "qx;qy;qz;qw\n"
+        for row, message in (
+            ("0;0;0.6;1", "<stdin>:2:5: '0.6' is not a number, expected a number with a decimal comma"),
+            ("0;0;1.000,6;1", "<stdin>:2:5: '1.000,6' is not a number, expected a number with a decimal comma"),
+            ("0;0;1", "<stdin>:2:6: row too short: 3 fields, expected 4"),
+            ("0;0;1;0;", "<stdin>:2:9: row too long: 5 fields, expected 4"),
+            ('0;0;"1" 2;0', "<stdin>:2:9: text after a quoted field, expected ';'"),
+        ):
+            self.fails(1, message, "eval", "twist", *decimal, stdin=header + row + "\n")
+
+    def test_a_header_with_semicolons_gets_a_hint(self):
+        hint = "--separator ';' reads fields between semicolons, --decimal ',' numbers with a comma"
+        for header in ("qx;qy;qz;qw\n", "qx; qy; qz; qw\n"):
+            for options in ((), ("--pass",)):
+                result = self.fails(1, "<stdin>:1:", "eval", "twist", *options, stdin=header)
+                self.assertTrue(result.stderr.decode().rstrip().endswith(hint), result.stderr)
+        self.assertNotIn(b"separator", self.fails(1, "<stdin>:1:1: ", "eval", "twist", stdin="a b\n").stderr)
+
+    def test_separators_that_contradict_are_bad_usage(self):
+        for options, message in (
+            (("--decimal", ","), "--decimal ',' goes with --separator ';' or tab"),
+            (("--decimal", ",", "--separator", ","), "--decimal ',' goes with --separator ';' or tab"),
+            (("--separator", "|"), "--separator: '|' is none of , ; tab"),
+            (("--decimal", "_"), "--decimal: '_' is none of .|,"),
+            (("--missing", "zero"), "--missing: 'zero' is none of error|nan"),
+        ):
+            self.fails(2, message, "eval", "twist", *options, stdin=HEADER)
+
+    def test_columns_may_have_other_names(self):
+        table = "frame,rot_x,rot_y,rot_z,rot_w\n1,0,0,1,0\n"
+        names = ("--columns", "q=rot_x,rot_y,rot_z,rot_w")
+        self.assertEqual(self.twist(table, *names, "--pass"), b"frame,tx,ty,tz,tw\n1,0,0,1,0\n")
+        self.assertEqual(
+            self.succeeds("eval", "slerp", "--t", "column", "--precision", "reproducible", "--columns", "t=when",
+                          "--columns", "b=1,2,3,4", stdin="ax ay az aw 1 2 3 4 when\n0 0 0 1 0 0 1 0 1\n").stdout,
+            b"qx,qy,qz,qw\n0,0,1,0\n")
+        self.assertEqual(self.succeeds("eval", "compose", "--form", "compact", "--columns", "factors=a,b,c,d,e",
+                                       stdin="e d c b a\n1 0 1 0 0\n").stdout, b"qx,qy,qz,qw\n0,0,0,1\n")
+        self.fails(1, "<stdin>:1:1: unknown column 'qx', expected a header row with the columns rot_x rot_y rot_z rot_w",
+                   "eval", "twist", *names, stdin=HEADER)
+        for given, message in (
+            ("q", "--columns: 'q', expected GROUP=NAME,... with a group out of: q"),
+            ("p=a,b,c,d", "--columns: the operation reads no group 'p', expected one out of: q"),
+            ("q=a,b,c", "--columns: 3 names for 'q', expected 4, for qx qy qz qw"),
+            ("q=a,b,,d", "--columns: a name is empty"),
+            ("q=a,b,a,d", "--columns: the column 'a' is read twice"),
+        ):
+            self.fails(2, message, "eval", "twist", "--columns", given, stdin=table)
+
+    def test_what_is_missing_is_nan_when_asked_for(self):
+        table = "qx,qy,qz,qw\n0,0,1,0\n0,,1,0\n0,0,1,\n,,,\n0,0,0,1\n"
+        self.assertEqual(self.twist(table, "--missing", "nan"),
+                         TWIST_HEADER + b"0,0,1,0\n" + 3 * b"nan,nan,nan,nan\n" + b"0,0,0,1\n")
+        self.fails(1, "<stdin>:3:3: an empty field, expected a number (--missing nan reads it as NaN)",
+                   "eval", "twist", stdin=table)
+
+    def test_angles_are_in_degrees_when_asked_for(self):
+        def numbers(operation, table, *options):
+            return rows(self.succeeds("eval", operation, "--degrees", *options, stdin=table).stdout)[1][0]
+
+        def near(got, expected):
+            self.assertEqual(len(got), len(expected))
+            for a, b in zip(got, expected):
+                self.assertAlmostEqual(a, b, places=12)
+
+        near(numbers("twist_angle", HEADER + "0 0 1 1\n"), [90])
+        near(numbers("decompose", HEADER + "0 0 1 1\n", "--form", "angle"), [90])
+        near(numbers("sincos", "angle\n30\n"), [0.5, 3**0.5 / 2])
+        near(numbers("from_euler", "ex ey ez\n0 0 180\n"), [0, 0, 1, 0])
+        near(numbers("to_euler", HEADER + "0 0 1 1\n"), [0, 0, 90])
+        near(numbers("to_axis_angle", HEADER + "0 0 1 1\n"), [0, 0, 1, 90])
+        near(numbers("arc_with_twist", "vx vy vz wx wy wz\n0 0 1 0 0 1\n", "--angle", "180"), [0, 0, 1, 0])
+        near(numbers("angle_between", "ax ay az aw bx by bz bw\n0 0 0 1 0 0 -1 -1\n"), [90])
+        self.fails(2, "--degrees: no angle is read or written", "eval", "decompose", "--degrees", stdin=HEADER)
+        self.assertNotIn("--degrees", self.succeeds("eval", "multiply", "--help").stdout.decode())
+
     def test_a_header_may_have_a_hundred_thousand_columns(self):
         names = [f"c{i}" for i in range(100_000)]
         table = ",".join(names + ["qx", "qy", "qz", "qw"]) + "\n" + "7," * len(names) + "0,0,1,0\n"

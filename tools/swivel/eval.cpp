@@ -26,6 +26,7 @@ struct eval_arguments {
     std::string out = "-";
     number_type type = number_type::f64;
     std::optional<swivel::isa> isa;
+    std::vector<std::string> columns;  // of --columns, as they are given
     row_stream_options stream;
     operations::settings settings;
 };
@@ -57,11 +58,76 @@ bool may_have_angles(const operations::operation& operation) {
            has_option(operation, operations::option::angle);
 }
 
+std::string key_of(const operations::group& g) {
+    if (g.kind == operations::group_kind::factors) return "factors";
+    return g.kind == operations::group_kind::spinor ? "spinor" : g.prefix;
+}
+
+std::vector<std::string> split_at_commas(std::string_view text) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == ',')
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    return parts;
+}
+
+// The names of the columns that are read, by default or as --columns says.
+std::vector<std::string> names_in_table(const std::vector<operations::group>& groups,
+                                        const std::vector<std::string>& given) {
+    std::vector<std::vector<std::string>> names;
+    std::string keys;
+    for (const operations::group& g : groups) {
+        names.push_back(operations::stream_names(g));
+        keys += (keys.empty() ? "" : " ") + key_of(g);
+    }
+    for (const std::string& mapping : given) {
+        const std::size_t equals = mapping.find('=');
+        if (equals == std::string::npos)
+            throw bad_usage("--columns: '" + mapping +
+                            "', expected GROUP=NAME,... with a group out of: " + keys);
+        const std::string key = mapping.substr(0, equals);
+        const auto group = std::find_if(groups.begin(), groups.end(),
+                                        [&](const operations::group& g) { return key_of(g) == key; });
+        if (group == groups.end())
+            throw bad_usage("--columns: the operation reads no group '" + key +
+                            "', expected one out of: " + keys);
+        std::vector<std::string>& replaced = names[static_cast<std::size_t>(group - groups.begin())];
+        std::vector<std::string> wanted = split_at_commas(std::string_view(mapping).substr(equals + 1));
+        if (wanted.size() != replaced.size()) {
+            std::string usual;
+            for (const std::string& name : replaced) usual += " " + name;
+            throw bad_usage("--columns: " + std::to_string(wanted.size()) + " names for '" + key +
+                            "', expected " + std::to_string(replaced.size()) + ", for" + usual);
+        }
+        replaced = std::move(wanted);
+    }
+    std::vector<std::string> all;
+    for (const std::vector<std::string>& of_group : names)
+        all.insert(all.end(), of_group.begin(), of_group.end());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all[i].empty()) throw bad_usage("--columns: a name is empty");
+        if (std::find(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i), all[i]) !=
+            all.begin() + static_cast<std::ptrdiff_t>(i))
+            throw bad_usage("--columns: the column '" + all[i] + "' is read twice");
+    }
+    return all;
+}
+
 void evaluate(const operations::operation& operation, eval_arguments& arguments) {
     // Before the input is looked at: contradictions are bad usage whatever the data are.
-    if (const operations::groups g = operation.groups(arguments.settings); !g.fault.empty())
-        throw bad_usage(g.fault);
+    const operations::groups groups = operation.groups(arguments.settings);
+    if (!groups.fault.empty()) throw bad_usage(groups.fault);
+    arguments.stream.names = names_in_table(groups.in, arguments.columns);
+    const separator between = arguments.stream.between;
+    if (arguments.stream.decimal == ',' && (between == separator::of_line || between == separator::comma))
+        throw bad_usage("--decimal ',' goes with --separator ';' or tab");
     if (arguments.stream.degrees) {
+        if (!has_angles(groups.in) && !has_angles(groups.out) &&
+            !has_option(operation, operations::option::angle))
+            throw bad_usage("--degrees: no angle is read or written");
         auto* const angle = std::get_if<operations::number>(&arguments.settings.angle);
         if (angle != nullptr) {
             angle->f64 *= std::numbers::pi / 180;
@@ -80,6 +146,13 @@ void evaluate(const operations::operation& operation, eval_arguments& arguments)
     out.commit();
 }
 
+separator parse_separator(const std::string& given) {
+    if (given == ",") return separator::comma;
+    if (given == ";") return separator::semicolon;
+    if (given == "tab" || given == "\t") return separator::tab;
+    throw bad_usage("--separator: '" + given + "' is none of , ; tab");
+}
+
 void add_operation(command_line eval, const operations::operation& operation) {
     const auto arguments = std::make_shared<eval_arguments>();
     command_line line = eval.add_command(operation.name, operation.description);
@@ -94,6 +167,18 @@ void add_operation(command_line eval, const operations::operation& operation) {
                     "How quaternions and vectors lie in memory; the compact form is always soa");
     if (may_have_angles(operation))
         line.add_flag("--degrees", arguments->stream.degrees, "Read and write angles in degrees");
+    line.add_texts(
+        "--columns", "GROUP=NAME,...", arguments->columns,
+        "Names of the columns of a group that is read, where they are not the usual ones: of all, in "
+        "order. May be given for many groups");
+    line.add_value(
+        "--separator", ",|;|tab",
+        [arguments](const std::string& given) { arguments->stream.between = parse_separator(given); },
+        "What stands between fields (default: commas, or in a line without a comma blanks)");
+    line.add_choice("--decimal", arguments->stream.decimal, {{".", '.'}, {",", ','}},
+                    "The decimal sign of numbers that are read");
+    line.add_choice("--missing", arguments->stream.missing_is_nan, {{"error", false}, {"nan", true}},
+                    "What an empty field of a column that is read is");
     line.add_flag("--pass", arguments->stream.pass,
                   "Copy the columns that are not read, whatever is in them, in front of the results");
     line.add_text("--out", "FILE", arguments->out,
@@ -114,6 +199,8 @@ constexpr const char* footer =
     "Examples:\n"
     "  printf 'qx qy qz qw\\n0 0 1 0\\n' | swivel eval decompose --axis z\n"
     "  swivel eval twist_angle --axis 0.6,0,0.8 --type f32 rotations.csv\n"
+    "  swivel eval twist --columns q=rot_x,rot_y,rot_z,rot_w --pass --missing nan frame.csv\n"
+    "  swivel eval to_euler --separator ';' --decimal ',' --degrees --order zxy export.csv\n"
     "  swivel eval decompose --help";
 
 }  // namespace

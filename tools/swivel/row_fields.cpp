@@ -1,5 +1,7 @@
 #include "row_fields.hpp"
 
+#include <algorithm>
+
 namespace swivel::command {
 
 namespace {
@@ -36,11 +38,15 @@ bool has_separating_comma(std::string_view line) noexcept {
 
 }  // namespace
 
-std::optional<field_fault> split_row(std::string_view line, std::vector<field>& fields) {
+std::optional<field_fault> split_row(std::string_view line, std::vector<field>& fields, separator between) {
     fields.clear();
-    const bool commas = has_separating_comma(line);
-    std::size_t at = line.find_first_not_of(blanks);
-    if (at == std::string_view::npos) return std::nullopt;
+    if (line.find_first_not_of(blanks) == std::string_view::npos) return std::nullopt;
+    const bool by_blanks = between == separator::of_line && !has_separating_comma(line);
+    const char mark = between == separator::of_line ? ',' : static_cast<char>(between);
+    // What may stand around a field.
+    const std::string_view around = mark == '\t' ? std::string_view(" ") : blanks;
+    const std::string_view ends = by_blanks ? blanks : std::string_view(&mark, 1);
+    std::size_t at = std::min(line.find_first_not_of(around), line.size());
 
     for (;;) {
         std::size_t end = 0;
@@ -49,26 +55,25 @@ std::optional<field_fault> split_row(std::string_view line, std::vector<field>& 
             if (end == std::string_view::npos)
                 return field_fault{at + 1, "a quote that is not closed", "'\"' on the same line"};
             fields.push_back({line.substr(at + 1, end - at - 2), at + 1, true});
-            if (end < line.size() && line[end] != ',' && !is_blank(line[end]))
+            if (end < line.size() && line[end] != mark && !is_blank(line[end]))
                 return field_fault{end + 1, "text right after a quoted field", "a separator"};
         } else {
-            end = line.find_first_of(commas ? std::string_view(",") : blanks, at);
-            if (end == std::string_view::npos) end = line.size();
+            end = std::min(line.find_first_of(ends, at), line.size());
             std::size_t last = end;
-            while (last > at && is_blank(line[last - 1])) --last;
+            while (last > at && around.find(line[last - 1]) != std::string_view::npos) --last;
             fields.push_back({line.substr(at, last - at), at + 1, false});
         }
 
-        at = line.find_first_not_of(blanks, end);
-        if (commas) {
-            if (at == std::string_view::npos) return std::nullopt;
-            if (line[at] != ',') return field_fault{at + 1, "text after a quoted field", "','"};
-            at = line.find_first_not_of(blanks, at + 1);
-            // What follows the last comma is a field too, and an empty one.
-            if (at == std::string_view::npos) at = line.size();
-        } else if (at == std::string_view::npos) {
-            return std::nullopt;
-        }
+        at = line.find_first_not_of(around, end);
+        if (at == std::string_view::npos) return std::nullopt;
+        if (by_blanks) continue;
+        if (line[at] != mark)
+            return field_fault{at + 1, "text after a quoted field",
+                               mark == ','   ? "','"
+                               : mark == ';' ? "';'"
+                                             : "a tab"};
+        // What follows the last separator is a field too, and an empty one.
+        at = std::min(line.find_first_not_of(around, at + 1), line.size());
     }
 }
 
@@ -96,9 +101,11 @@ void append_field(std::string& row, std::string_view text) {
 }
 
 void append_field(std::string& row, const field& f) {
-    if (f.is_quoted) row += '"';
+    // Between semicolons a comma needs no quotes.
+    if (!f.is_quoted) return append_field(row, f.text);
+    row += '"';
     row += f.text;
-    if (f.is_quoted) row += '"';
+    row += '"';
 }
 
 }  // namespace swivel::command

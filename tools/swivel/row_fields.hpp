@@ -5,7 +5,8 @@
 //
 // A line with a comma outside quotes is comma separated: the blanks (spaces and tabs) around a field do not
 // belong to it, those within do. Any other line is separated by blanks. A field that begins with a double
-// quote ends at the next one; two in a row stand for one of them. It ends on its line.
+// quote ends at the next one; two in a row stand for one of them. It ends on its line. Where the separator is
+// said, commas and blanks are no others.
 
 #include <cstddef>
 #include <optional>
@@ -27,8 +28,12 @@ struct field_fault {
     std::string_view expected;
 };
 
+// One of them, or what the line itself shows.
+enum class separator : char { of_line = 0, comma = ',', semicolon = ';', tab = '\t' };
+
 // Into `fields`, whose memory is used again; no field for a line of blanks.
-[[nodiscard]] std::optional<field_fault> split_row(std::string_view line, std::vector<field>& fields);
+[[nodiscard]] std::optional<field_fault> split_row(std::string_view line, std::vector<field>& fields,
+                                                   separator between = separator::of_line);
 
 // What a quoted field stands for.
 [[nodiscard]] std::string unquoted(const field& f);
@@ -36,7 +41,7 @@ struct field_fault {
 // As a field of a comma-separated row, in quotes if it needs them.
 void append_field(std::string& row, std::string_view text);
 
-// As it stood in its own row.
+// As it stood in its own row, in quotes where a comma is now a separator.
 void append_field(std::string& row, const field& f);
 
 }  // namespace swivel::command

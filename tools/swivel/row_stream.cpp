@@ -1,6 +1,7 @@
 #include "row_stream.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -34,9 +35,9 @@ std::string counted_fields(std::size_t count) {
     return std::to_string(count) + (count == 1 ? " field" : " fields");
 }
 
-bool next_row(line_reader& in, std::string_view& line, std::vector<field>& fields) {
+bool next_row(line_reader& in, separator between, std::string_view& line, std::vector<field>& fields) {
     while (in.next(line)) {
-        const std::optional<field_fault> fault = split_row(line, fields);
+        const std::optional<field_fault> fault = split_row(line, fields, between);
         if (fault) throw bad_data(in.name(), in.line_number(), fault->column, fault->what, fault->expected);
         if (!fields.empty()) return true;
     }
@@ -60,7 +61,7 @@ public:
     row_stream(const operations::operation& operation, const operations::settings& settings,
                const row_stream_options& options, line_reader& in, output& out)
         : settings_(settings),
-          pass_(options.pass),
+          options_(options),
           in_(in),
           out_(out),
           groups_(operation.groups(settings)),
@@ -94,10 +95,11 @@ private:
     }
 
     void read_header() {
-        const std::vector<std::string> wanted = operations::stream_names(groups_.in);
+        const std::vector<std::string>& wanted = options_.names;
         const std::vector<std::string> written = operations::stream_names(groups_.out);
         const std::string expected = "a header row with the columns " + joined(wanted);
-        if (!next_row(in_, line_, fields_)) throw bad_data(in_.name(), 1, 1, "the input is empty", expected);
+        if (!next_row(in_, options_.between, line_, fields_))
+            throw bad_data(in_.name(), 1, 1, "the input is empty", expected);
 
         // By name, since a header of a megabyte has a hundred thousand.
         std::unordered_map<std::string_view, std::size_t> places;
@@ -106,13 +108,14 @@ private:
         std::string header;
         for (const field& f : fields_) {
             std::string name = unquoted(f);
-            if (name.empty()) fail(f.column, "a column without a name", expected);
             const auto place = places.find(name);
             const bool is_read = place != places.end();
-            if (!is_read && !pass_)
-                fail(f.column, "unknown column " + clip::quoted(name),
-                     expected + " (--pass copies other ones)");
-            if (seen.count(name) != 0)
+            if (!is_read && !options_.pass)
+                fail(f.column,
+                     name.empty() ? "a column without a name" : "unknown column " + clip::quoted(name),
+                     expected + " (--pass copies other ones)" + hint());
+            // Any number of columns may have none, as the index of a data frame.
+            if (!name.empty() && seen.count(name) != 0)
                 fail(f.column, "the column " + clip::quoted(name) + " is there twice", "each column once");
             if (!is_read && std::find(written.begin(), written.end(), name) != written.end())
                 fail(f.column, "the column " + clip::quoted(name) + " cannot be passed",
@@ -126,15 +129,23 @@ private:
         }
         for (const std::string& name : wanted)
             if (seen.count(name) == 0)
-                fail(line_.size() + 1, "the column " + clip::quoted(name) + " is missing", expected);
+                fail(line_.size() + 1, "the column " + clip::quoted(name) + " is missing", expected + hint());
         for (const std::string& name : written) header += name + (name == written.back() ? "\n" : ",");
         out_.write(header);
+    }
+
+    [[nodiscard]] const char* hint() const {
+        const bool semicolons =
+            options_.between == separator::of_line && line_.find(';') != std::string_view::npos;
+        return semicolons
+                   ? "; --separator ';' reads fields between semicolons, --decimal ',' numbers with a comma"
+                   : "";
     }
 
     // False at the end of the input.
     bool read_block() {
         while (rows_ < rows_in_block && passed_.size() < passed_bytes_in_block) {
-            if (!next_row(in_, line_, fields_)) return false;
+            if (!next_row(in_, options_.between, line_, fields_)) return false;
             read_row();
         }
         return true;
@@ -156,11 +167,13 @@ private:
                 passed_ += ',';
                 continue;
             }
-            const clip::parsed<T> number = parse_real<T>(f.text);
+            const clip::parsed<T> number = parse(f.text);
             if (!number.fault.empty()) {
                 passed_.resize(passed_before);
-                if (f.text.empty()) fail(f.column, "an empty field", "a number");
-                fail(f.column, clip::quoted(f.text) + " " + std::string(number.fault), "a number");
+                if (f.text.empty())
+                    fail(f.column, "an empty field", "a number (--missing nan reads it as NaN)");
+                fail(f.column, clip::quoted(f.text) + " " + std::string(number.fault),
+                     options_.decimal == '.' ? "a number" : "a number with a decimal comma");
             }
             const bool is_degrees = !degrees_in_.empty() && degrees_in_[*map_[i]];
             inputs_.at(rows_, *map_[i]) =
@@ -168,6 +181,15 @@ private:
         }
         passed_ends_.push_back(passed_.size());
         ++rows_;
+    }
+
+    [[nodiscard]] clip::parsed<T> parse(std::string_view text) {
+        if (text.empty() && options_.missing_is_nan) return {std::numeric_limits<T>::quiet_NaN(), {}};
+        if (options_.decimal == '.') return parse_real<T>(text);
+        if (text.find('.') != std::string_view::npos) return {T{0}, "is not a number"};
+        with_point_ = text;
+        std::replace(with_point_.begin(), with_point_.end(), options_.decimal, '.');
+        return parse_real<T>(with_point_);
     }
 
     void write_block() {
@@ -197,7 +219,7 @@ private:
     }
 
     const operations::settings& settings_;
-    bool pass_;
+    const row_stream_options& options_;
     line_reader& in_;
     output& out_;
     operations::groups groups_;
@@ -209,6 +231,7 @@ private:
     std::string_view line_;
     std::vector<field> fields_;
     std::size_t rows_ = 0;
+    std::string with_point_;
     std::string passed_;  // of all rows of the block, each field with its comma
     std::vector<std::size_t> passed_ends_;
     std::string text_;

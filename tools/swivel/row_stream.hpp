@@ -4,18 +4,25 @@
 // The rows of a table through an operation of the library, a block at a time.
 
 #include <string>
+#include <vector>
 
 #include "eval_block.hpp"
 #include "line_reader.hpp"
 #include "operations/operation.hpp"
 #include "output.hpp"
+#include "row_fields.hpp"
 
 namespace swivel::command {
 
 struct row_stream_options {
     memory_layout layout = memory_layout::soa;
-    bool degrees = false;  // angles are read and written in degrees
-    bool pass = false;     // columns that the operation does not read are written in front of its own
+    // Of the columns that are read, group by group, as the header row has them.
+    std::vector<std::string> names;
+    separator between = separator::of_line;
+    char decimal = '.';
+    bool missing_is_nan = false;  // an empty field
+    bool degrees = false;         // angles are read and written in degrees
+    bool pass = false;            // columns that the operation does not read are written in front of its own
 };
 
 // From the header row to the end. Memory is bounded whatever the length of the table. Bad data is thrown
