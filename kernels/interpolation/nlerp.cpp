@@ -8,8 +8,8 @@ namespace swivel {
 namespace {
 
 struct nlerp_variants : light {
-    template <class V, int LongWay, int P>
-    using op = nlerp_op<precision_index(P), LongWay != 0, V>;
+    template <class V, int P>
+    using op = nlerp_op<precision_index(P), V>;
 };
 
 }  // namespace

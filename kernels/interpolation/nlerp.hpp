@@ -7,21 +7,23 @@
 namespace swivel {
 namespace {
 
-// Streams in: a x y z w, b x y z w, t.
-template <precision_index P, bool LongWay, class V>
+// Streams in: a x y z w, b x y z w, t. Uniform: the sign bit for the long way.
+template <precision_index P, class V>
 struct nlerp_op {
     using T = scalar_of<V>;
     using M = arithmetic<P>;
     using reads = streams<4, 4, 1>;
     using writes = streams<4>;
 
-    explicit nlerp_op(const T*) noexcept {}
+    V long_way;
+
+    explicit nlerp_op(const T* uniform) noexcept : long_way(uniform[0]) {}
 
     void operator()(const V* in, V* out) const noexcept {
         const V zero(T(0)), one(T(1));
         const rotor<V> a{in[0], in[1], in[2], in[3]}, given{in[4], in[5], in[6], in[7]};
         const V t = in[8], s = one - t;
-        const V way = way_of<LongWay>(dot_of<P>(a, given));
+        const V way = way_of<false>(dot_of<P>(a, given)) ^ long_way;
         const rotor<V> b = scaled(given, ratio_of_lengths<P>(dot_of<P>(a, a), dot_of<P>(given, given)) ^ way);
 
         rotor<V> m{M::multiply_add(t, b.x, s * a.x), M::multiply_add(t, b.y, s * a.y),

@@ -9,7 +9,7 @@ template <class T>
 struct slerp_kernels : kernel_set<T, 2, precisions> {};  // the short, the long way
 
 template <class T>
-struct nlerp_kernels : kernel_set<T, 2, precisions> {};  // the short, the long way
+struct nlerp_kernels : kernel_set<T, precisions> {};
 
 template <class T>
 struct sterp_kernels : kernel_set<T, 2, 2, precisions> {

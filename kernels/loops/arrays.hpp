@@ -104,6 +104,17 @@ inline bool are_arrays(T* const* stream, const std::ptrdiff_t* stride) noexcept 
     return all;
 }
 
+// Whether that can be, in the layouts that are met: where quaternions stand in arrays, vectors and motors do too, and
+// these go by way of blocks. (The compact form has no stride.)
+template <class Streams>
+constexpr bool may_be_arrays() noexcept {
+    for (int g = 0; g < Streams::groups; ++g) {
+        const int components = Streams::components[g];
+        if (components != 4 && components != 1 && components != 5) return false;
+    }
+    return true;
+}
+
 template <class Op, class T>
 inline bool are_arrays(const batch<T>& b) noexcept {
     return are_arrays<typename Op::reads>(b.in, b.in_stride) &&

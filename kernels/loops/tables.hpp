@@ -43,7 +43,8 @@ struct deep {
 
 template <class V, class Op>
 void light_any(const batch<scalar_of<V>>& b) noexcept {
-    if (are_arrays<Op>(b)) return array_loop<V, Op>(b);
+    if constexpr (may_be_arrays<typename Op::reads>() && may_be_arrays<typename Op::writes>())
+        if (are_arrays<Op>(b)) return array_loop<V, Op>(b);
     staged_loop<V, Op>(b, light_loop<V, Op>);
 }
 

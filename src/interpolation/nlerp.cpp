@@ -15,7 +15,8 @@ status any_type(const quat_view<const T>& a, const quat_view<const T>& b, const 
     c.read(b);
     c.read(t);
     c.write(out);
-    return c.template run<nlerp_kernels>(o.long_way, index_of(o.accuracy));
+    c.number(0, o.long_way ? T(-0.0) : T(0));
+    return c.template run<nlerp_kernels>(index_of(o.accuracy));
 }
 
 }  // namespace

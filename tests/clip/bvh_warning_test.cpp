@@ -181,7 +181,7 @@ TEST(BvhSalvage, KeepsTheWholeRowsOfAClipThatWasCutOff) {
     expect_salvage(three + "1 2 3 4 5 6 7 8 -", 2,
                    "21:17: '-' is not a number; 2 of 3 rows read, expected a number");
     expect_salvage(three + "1 2.5e", 2, "21:3: '2.5e' is not a number; 2 of 3 rows read, expected a number");
-    expect_salvage(with("11 12\n", "11"), 1, "20:20: row too short: 8 values; 1 of 2 rows read, expected 9");
+    expect_salvage(with("11 12\n", "11"), 1, "20:19: row too short: 8 values; 1 of 2 rows read, expected 9");
 }
 
 TEST(BvhSalvage, LeavesOutARowWhoseLastNumberMayBeCut) {
@@ -189,7 +189,7 @@ TEST(BvhSalvage, LeavesOutARowWhoseLastNumberMayBeCut) {
     const std::string cut = three.substr(0, three.size() - 2);
     expect_salvage(cut, 1, "20:21: 2 rows of motion; 1 of 3 rows read, expected 3, as Frames says");
     expect_salvage(with(three, "6\n1 96 1 7 8 9 10 11 12\n", "6 "), 1,
-                   "19:21: 1 row of motion; 1 of 3 rows read, expected 3, as Frames says");
+                   "19:20: 1 row of motion; 1 of 3 rows read, expected 3, as Frames says");
 }
 
 TEST(BvhSalvage, StopsAtTheFirstRowThatIsDamaged) {
@@ -197,7 +197,7 @@ TEST(BvhSalvage, StopsAtTheFirstRowThatIsDamaged) {
                    "20:10: 'nan' is not finite; 1 of 2 rows read, expected a number");
     expect_salvage(with("7 8", std::string_view("7\0\0\0 8", 6)), 1,
                    "20:8: '7\\x00\\x00\\x00' is not a number; 1 of 2 rows read, expected a number");
-    expect_salvage(with("7 8", "7 8 8"), 1, "20:24: row too long: 10 values; 1 of 2 rows read, expected 9");
+    expect_salvage(with("7 8", "7 8 8"), 1, "20:22: row too long: 10 values; 1 of 2 rows read, expected 9");
     expect_salvage(with("11 12\n", "11 OFFSET 0 5 0\n}\nMOTION\n"), 1,
                    "20:20: 'OFFSET' is not a number; 1 of 2 rows read, expected a number");
     expect_salvage(valid_bvh + "1 2 3", 2, "21:6: row too short: 3 values; 2 of 2 rows read, expected 9");
@@ -212,8 +212,8 @@ TEST(BvhSalvage, WhereThePaddingOfACutIsNulBothAreSaid) {
     EXPECT_EQ(r.value->frames, 1u);
     EXPECT_EQ(
         shown(r.warnings),
-        (std::vector<std::string>{"20:20: row too short: 8 values; 1 of 2 rows read, expected 9",
-                                  "20:20: '\\x00' after the last row; taken as the end of the text, expected "
+        (std::vector<std::string>{"20:19: row too short: 8 values; 1 of 2 rows read, expected 9",
+                                  "20:19: '\\x00' after the last row; taken as the end of the text, expected "
                                   "the end of the text"}));
 }
 
