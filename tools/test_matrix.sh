@@ -31,11 +31,11 @@ compile_and_test() { # FOLDER TESTS-LEFT-OUT CMAKE-OPTION...
         ctest --test-dir "$build/$1" --parallel "$(nproc)" --output-on-failure --no-tests=error --exclude-regex "$2"
 }
 
-format() { find include src kernels tests bench tools -name '*.[ch]pp' -exec clang-format --dry-run -Werror {} +; }
+format() { find include src kernels operations tests bench tools -name '*.[ch]pp' -exec clang-format --dry-run -Werror {} +; }
 
 # Kernels once, as the source files of one ISA.
 tidy() {
-    run-clang-tidy -quiet -p $build/clang -j "$(nproc)" "$PWD/(src|tools)/.*" "$PWD/$build/clang/kernels/.*avx512.*"
+    run-clang-tidy -quiet -p $build/clang -j "$(nproc)" "$PWD/(src|tools|operations)/.*" "$PWD/$build/clang/kernels/.*avx512.*"
 }
 
 # An old processor: no illegal instruction, and the ISA that it can run is chosen. What does not depend on the ISA,

@@ -5,7 +5,7 @@ namespace swivel_bench {
 namespace {
 
 template <class T>
-inline constexpr T angle = T(0.7);
+[[maybe_unused]] inline constexpr T angle = T(0.7);
 
 template <class T, class Function>
 void add_peer(std::string_view op, std::string_view who, Function function) {

@@ -5,7 +5,7 @@ namespace swivel_bench {
 namespace {
 
 template <class T>
-inline constexpr T exponent = T(0.3);
+[[maybe_unused]] inline constexpr T exponent = T(0.3);
 
 // Functions of n rotations, which give n quaternions or vectors.
 template <class T, class Function>

@@ -6,7 +6,7 @@ namespace {
 
 // A half turn about an oblique axis.
 template <class T>
-constexpr swivel::quat<T> one_rotation{oblique<T>.x, oblique<T>.y, oblique<T>.z, T(0)};
+[[maybe_unused]] constexpr swivel::quat<T> one_rotation{oblique<T>.x, oblique<T>.y, oblique<T>.z, T(0)};
 
 template <class T, class Multiply, class Normalize, class Rotate, class RotateByOne>
 void add_quaternion_peer(std::string_view who, Multiply multiply, Normalize normalize, Rotate rotate,
