@@ -40,13 +40,14 @@ bool has_separating_comma(std::string_view line) noexcept {
 
 std::optional<field_fault> split_row(std::string_view line, std::vector<field>& fields, separator between) {
     fields.clear();
-    if (line.find_first_not_of(blanks) == std::string_view::npos) return std::nullopt;
     const bool by_blanks = between == separator::of_line && !has_separating_comma(line);
     const char mark = between == separator::of_line ? ',' : static_cast<char>(between);
     // What may stand around a field.
     const std::string_view around = mark == '\t' ? std::string_view(" ") : blanks;
     const std::string_view ends = by_blanks ? blanks : std::string_view(&mark, 1);
-    std::size_t at = std::min(line.find_first_not_of(around), line.size());
+    std::size_t at = line.find_first_not_of(around);
+    // A line of tabs that separate is a row, of empty fields.
+    if (at == std::string_view::npos) return std::nullopt;
 
     for (;;) {
         std::size_t end = 0;

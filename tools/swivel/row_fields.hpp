@@ -31,7 +31,8 @@ struct field_fault {
 // One of them, or what the line itself shows.
 enum class separator : char { of_line = 0, comma = ',', semicolon = ';', tab = '\t' };
 
-// Into `fields`, whose memory is used again; no field for a line of blanks.
+// Into `fields`, whose memory is used again; no field for a line of nothing but blanks, which
+// tabs are not where they are the separator.
 [[nodiscard]] std::optional<field_fault> split_row(std::string_view line, std::vector<field>& fields,
                                                    separator between = separator::of_line);
 
