@@ -35,15 +35,6 @@ std::string counted_fields(std::size_t count) {
     return std::to_string(count) + (count == 1 ? " field" : " fields");
 }
 
-bool next_row(line_reader& in, separator between, std::string_view& line, std::vector<field>& fields) {
-    while (in.next(line)) {
-        const std::optional<field_fault> fault = split_row(line, fields, between);
-        if (fault) throw bad_data(in.name(), in.line_number(), fault->column, fault->what, fault->expected);
-        if (!fields.empty()) return true;
-    }
-    return false;
-}
-
 // Of each column, whether it is an angle.
 std::vector<bool> angles_of(const std::vector<operations::group>& groups) {
     std::vector<bool> angles;
@@ -94,12 +85,21 @@ private:
         throw bad_data(in_.name(), in_.line_number(), column, what, expected);
     }
 
+    // False at the end of the input.
+    bool next_row() {
+        while (in_.next(line_)) {
+            const std::optional<field_fault> fault = split_row(line_, fields_, options_.between);
+            if (fault) fail(fault->column, fault->what, std::string(fault->expected) + hint());
+            if (!fields_.empty()) return true;
+        }
+        return false;
+    }
+
     void read_header() {
         const std::vector<std::string>& wanted = options_.names;
         const std::vector<std::string> written = operations::stream_names(groups_.out);
         const std::string expected = "a header row with the columns " + joined(wanted);
-        if (!next_row(in_, options_.between, line_, fields_))
-            throw bad_data(in_.name(), 1, 1, "the input is empty", expected);
+        if (!next_row()) throw bad_data(in_.name(), 1, 1, "the input is empty", expected);
 
         // By name, since a header of a megabyte has a hundred thousand.
         std::unordered_map<std::string_view, std::size_t> places;
@@ -132,11 +132,14 @@ private:
                 fail(line_.size() + 1, "the column " + clip::quoted(name) + " is missing", expected + hint());
         for (const std::string& name : written) header += name + (name == written.back() ? "\n" : ",");
         out_.write(header);
+        in_header_ = false;
     }
 
+    // Where semicolons seem to separate the header row.
     [[nodiscard]] const char* hint() const {
         const bool semicolons =
-            options_.between == separator::of_line && line_.find(';') != std::string_view::npos;
+            in_header_ && options_.between == separator::of_line &&
+            std::count(line_.begin(), line_.end(), ';') > std::count(line_.begin(), line_.end(), ',');
         return semicolons
                    ? "; --separator ';' reads fields between semicolons, --decimal ',' numbers with a comma"
                    : "";
@@ -145,7 +148,7 @@ private:
     // False at the end of the input.
     bool read_block() {
         while (rows_ < rows_in_block && passed_.size() < passed_bytes_in_block) {
-            if (!next_row(in_, options_.between, line_, fields_)) return false;
+            if (!next_row()) return false;
             read_row();
         }
         return true;
@@ -227,6 +230,7 @@ private:
     operations::function<T> run_;
     std::vector<bool> degrees_in_, degrees_out_;  // of each column; none without --degrees
     column_map map_;
+    bool in_header_ = true;
 
     std::string_view line_;
     std::vector<field> fields_;
