@@ -160,13 +160,45 @@ class Tables(CommandTest):
             for options in ((), ("--pass",)):
                 result = self.fails(1, "<stdin>:1:", "eval", "twist", *options, stdin=header)
                 self.assertTrue(result.stderr.decode().rstrip().endswith(hint), result.stderr)
-        self.assertNotIn(b"separator", self.fails(1, "<stdin>:1:1: ", "eval", "twist", stdin="a b\n").stderr)
+        for header, place in (('"qx";"qy";"qz";"qw"\n', "1:5"), ('"qx";"qy, deg";"qz";"qw"\n', "1:5"),
+                              ('\ufeff"qx";"qy";"qz";"qw"\r\n', "1:5")):
+            result = self.fails(1, f"<stdin>:{place}: text right after a quoted field, expected a separator; " + hint,
+                                "eval", "twist", stdin=header)
+            self.assertEqual(result.stdout, b"")
+        for table in ("a b\n", 'qx,qy,qz,qw,"a;b"\n', "qx;qy,qz,qw\n", HEADER + '"0";0;0;1\n'):
+            self.assertNotIn(b"--separator", self.fails(1, "<stdin>:", "eval", "twist", stdin=table).stderr, table)
+        self.assertNotIn(b"--separator", self.fails(1, "<stdin>:1:1: ", "eval", "twist", "--separator", ",",
+                                                    stdin="qx;qy;qz;qw\n").stderr)
+
+    def test_the_separator_may_be_spelled_in_several_ways(self):
+        table = "qx\tqy\tqz\tqw\r\n0\t0\t1\t0\r\n"
+        for separator in ("tab", "\t", "auto"):
+            self.assertEqual(self.twist(table, "--separator", separator), TWIST_HEADER + b"0,0,1,0\n", separator)
+
+    def test_a_line_of_tabs_that_separate_is_a_row(self):
+        table = "qx\tqy\tqz\tqw\n0\t0\t1\t0\n\t\t\t\n\n  \n0\t0\t0\t1\n"
+        self.assertEqual(self.twist(table, "--separator", "tab", "--missing", "nan"),
+                         TWIST_HEADER + b"0,0,1,0\nnan,nan,nan,nan\n0,0,0,1\n")
+        result = self.fails(1, "<stdin>:3:1: an empty field, expected a number (--missing nan reads it as NaN)",
+                            "eval", "twist", "--precision", "reproducible", "--separator", "tab", stdin=table)
+        self.assertEqual(result.stdout, TWIST_HEADER + b"0,0,1,0\n")
+        self.fails(1, "<stdin>:2:2: row too short: 2 fields, expected 4", "eval", "twist", "--separator", "tab",
+                   stdin="qx\tqy\tqz\tqw\n\t\n")
+
+    def test_passed_fields_are_quoted_where_commas_separate(self):
+        self.assertEqual(
+            self.twist('"a;b";n;qx;qy;qz;qw;"m,"\r\n"x;""y""";5" a;0;0;1;0;1,5\r\n', "--separator", ";", "--pass"),
+            b'a;b,n,"m,",tx,ty,tz,tw\n"x;""y""","5"" a","1,5",0,0,1,0\n')
+        self.assertEqual(self.twist("\tqx\tqy\tqz\tqw\na, b\t0\t0\t1\t0\n", "--separator", "tab", "--pass"),
+                         b',tx,ty,tz,tw\n"a, b",0,0,1,0\n')
 
     def test_separators_that_contradict_are_bad_usage(self):
         for options, message in (
             (("--decimal", ","), "--decimal ',' goes with --separator ';' or tab"),
             (("--decimal", ",", "--separator", ","), "--decimal ',' goes with --separator ';' or tab"),
-            (("--separator", "|"), "--separator: '|' is none of , ; tab"),
+            (("--decimal", ",", "--separator", "auto"), "--decimal ',' goes with --separator ';' or tab"),
+            (("--separator", ""), "--separator: '' is none of auto , ; tab"),
+            (("--separator", "|"), "--separator: '|' is none of auto , ; tab"),
             (("--decimal", "_"), "--decimal: '_' is none of .|,"),
             (("--missing", "zero"), "--missing: 'zero' is none of error|nan"),
         ):
@@ -184,6 +216,12 @@ class Tables(CommandTest):
                                        stdin="e d c b a\n1 0 1 0 0\n").stdout, b"qx,qy,qz,qw\n0,0,0,1\n")
         self.fails(1, "<stdin>:1:1: unknown column 'qx', expected a header row with the columns rot_x rot_y rot_z rot_w",
                    "eval", "twist", *names, stdin=HEADER)
+        self.fails(2, "--columns: the group 'q' is named twice", "eval", "twist", *names, "--columns", "q=a,b,c,d",
+                   stdin=table)
+        self.fails(2, "--columns: the column 'm' is read twice", "eval", "multiply", "--columns", "a=m,n,o,p",
+                   "--columns", "b=k,l,j,m", stdin="")
+        self.fails(2, "--columns: the column 'bx' is read twice", "eval", "multiply", "--columns", "a=bx,n,o,p",
+                   stdin="")
         for given, message in (
             ("q", "--columns: 'q', expected GROUP=NAME,... with a group out of: q"),
             ("p=a,b,c,d", "--columns: the operation reads no group 'p', expected one out of: q"),

@@ -78,6 +78,7 @@ std::vector<std::string> split_at_commas(std::string_view text) {
 std::vector<std::string> names_in_table(const std::vector<operations::group>& groups,
                                         const std::vector<std::string>& given) {
     std::vector<std::vector<std::string>> names;
+    std::vector<bool> is_given(groups.size(), false);
     std::string keys;
     for (const operations::group& g : groups) {
         names.push_back(operations::stream_names(g));
@@ -94,7 +95,10 @@ std::vector<std::string> names_in_table(const std::vector<operations::group>& gr
         if (group == groups.end())
             throw bad_usage("--columns: the operation reads no group '" + key +
                             "', expected one out of: " + keys);
-        std::vector<std::string>& replaced = names[static_cast<std::size_t>(group - groups.begin())];
+        const auto place = static_cast<std::size_t>(group - groups.begin());
+        if (is_given[place]) throw bad_usage("--columns: the group '" + key + "' is named twice");
+        is_given[place] = true;
+        std::vector<std::string>& replaced = names[place];
         std::vector<std::string> wanted = split_at_commas(std::string_view(mapping).substr(equals + 1));
         if (wanted.size() != replaced.size()) {
             std::string usual;
@@ -147,10 +151,11 @@ void evaluate(const operations::operation& operation, eval_arguments& arguments)
 }
 
 separator parse_separator(const std::string& given) {
+    if (given == "auto") return separator::of_line;
     if (given == ",") return separator::comma;
     if (given == ";") return separator::semicolon;
     if (given == "tab" || given == "\t") return separator::tab;
-    throw bad_usage("--separator: '" + given + "' is none of , ; tab");
+    throw bad_usage("--separator: '" + given + "' is none of auto , ; tab");
 }
 
 void add_operation(command_line eval, const operations::operation& operation) {
@@ -170,11 +175,12 @@ void add_operation(command_line eval, const operations::operation& operation) {
     line.add_texts(
         "--columns", "GROUP=NAME,...", arguments->columns,
         "Names of the columns of a group that is read, where they are not the usual ones: of all, in "
-        "order. May be given for many groups");
+        "order. GROUP is what the usual ones begin with, as q for qx qy qz qw, or the name of a single one, "
+        "or factors or spinor. May be given once for each group");
     line.add_value(
-        "--separator", ",|;|tab",
+        "--separator", "auto|,|;|tab",
         [arguments](const std::string& given) { arguments->stream.between = parse_separator(given); },
-        "What stands between fields (default: commas, or in a line without a comma blanks)");
+        "What stands between fields; auto: commas, or in a line without a comma blanks (default: auto)");
     line.add_choice("--decimal", arguments->stream.decimal, {{".", '.'}, {",", ','}},
                     "The decimal sign of numbers that are read");
     line.add_choice("--missing", arguments->stream.missing_is_nan, {{"error", false}, {"nan", true}},
@@ -189,15 +195,18 @@ void add_operation(command_line eval, const operations::operation& operation) {
 
 constexpr const char* footer =
     "Tables: a header row with the names of the columns, in any order, then a row of numbers for each\n"
-    "rotation, comma separated, or blank separated where a line has no comma. Fields may stand in double\n"
-    "quotes. Lines end with LF, CRLF or CR and have at most 1048576 bytes; empty ones are skipped. Numbers\n"
-    "are decimal, with an optional sign, or nan or inf in any letter case. Columns that the operation does\n"
-    "not read are refused, or copied with --pass. The results are comma separated, with the shortest\n"
-    "numbers that read back as the same ones.\n\n"
+    "rotation, comma separated, or blank separated where a line has no comma, or as --separator says.\n"
+    "Fields may stand in double quotes. Lines end with LF, CRLF or CR and have at most 1048576 bytes; empty\n"
+    "ones are skipped. Numbers are decimal, with an optional sign and the decimal sign of --decimal, or nan\n"
+    "or inf in any letter case; an empty field is refused, or NaN with --missing nan. Columns that the\n"
+    "operation does not read, with a name or without, are refused, or copied with --pass. The results are\n"
+    "comma separated with decimal points however the table is written, with the shortest numbers that read\n"
+    "back as the same ones.\n\n"
     "Bad data ends the command with FILE:LINE:COLUMN: what was wrong; the rows before it have been written\n"
     "to standard output. A file named by --out is replaced as a whole or left alone.\n\n"
     "Examples:\n"
     "  printf 'qx qy qz qw\\n0 0 1 0\\n' | swivel eval decompose --axis z\n"
+    "  printf 'qx;qy;qz;qw\\n0;0;0,6;0,8\\n' | swivel eval twist --separator ';' --decimal ','\n"
     "  swivel eval twist_angle --axis 0.6,0,0.8 --type f32 rotations.csv\n"
     "  swivel eval twist --columns q=rot_x,rot_y,rot_z,rot_w --pass --missing nan frame.csv\n"
     "  swivel eval to_euler --separator ';' --decimal ',' --degrees --order zxy export.csv\n"
