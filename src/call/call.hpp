@@ -142,14 +142,12 @@ public:
     [[gnu::always_inline]] status run(Which... which) noexcept {
         if (const status bad = check_all(); bad != status::ok || batch_.size == 0) return bad;
         const loops<T>& kernel = active<Kernels, T>(which...);
-        if (repeats_) repeat_scalars();
+        if (repeats_) repeat_scalars(batch_, in_, inputs_, repeated_);
         (contiguous_ ? kernel.contiguous : kernel.any)(batch_);
         return status::ok;
     }
 
 private:
-    static constexpr int most_scalars = 2;
-
     template <class U>
     static std::uintptr_t address(U* p) noexcept {
         return reinterpret_cast<std::uintptr_t>(p);
@@ -180,12 +178,12 @@ private:
     template <int N>
     [[gnu::always_inline]] void add_input(const T* const (&stream)[N], std::size_t size,
                                           std::ptrdiff_t stride, const std::uint8_t* places) noexcept {
-        group& g = in_[inputs_];
-        g = {streams_in_, N, size, stride, look_at(stream, size, stride, false)};
+        const group& g = in_[inputs_] = {streams_in_, N, size, stride};
+        const extent where = in_where_[inputs_] = look_at(stream, size, stride, false);
         for (int k = 0; k < N; ++k) batch_.in[streams_in_ + places[k]] = stream[k];
         for (int k = 0; k < outputs_; ++k)
             extents_suffice_ =
-                extents_suffice_ && (!g.where.overlaps(out_[k].where) || is_in_place(out_[k], g));
+                extents_suffice_ && (!where.overlaps(out_where_[k]) || is_in_place(out_[k], g));
         batch_.in_stride[inputs_++] = size == 1 ? 1 : stride;
         streams_in_ += N;
     }
@@ -193,15 +191,14 @@ private:
     template <int N>
     [[gnu::always_inline]] void add_output(T* const (&stream)[N], std::size_t size, std::ptrdiff_t stride,
                                            const std::uint8_t* places) noexcept {
-        group& g = out_[outputs_];
-        g = {streams_out_, N, size, stride, look_at(stream, size, stride, true)};
+        const group& g = out_[outputs_] = {streams_out_, N, size, stride};
+        const extent where = out_where_[outputs_] = look_at(stream, size, stride, true);
         if (N == 1 && stride == 0) extents_suffice_ = false;
         for (int k = 0; k < N; ++k) batch_.out[streams_out_ + places[k]] = stream[k];
         for (int k = 0; k < outputs_; ++k)
-            extents_suffice_ = extents_suffice_ && !g.where.overlaps(out_[k].where);
+            extents_suffice_ = extents_suffice_ && !where.overlaps(out_where_[k]);
         for (int k = 0; k < inputs_; ++k)
-            extents_suffice_ =
-                extents_suffice_ && (!g.where.overlaps(in_[k].where) || is_in_place(g, in_[k]));
+            extents_suffice_ = extents_suffice_ && (!where.overlaps(in_where_[k]) || is_in_place(g, in_[k]));
         batch_.out_stride[outputs_++] = size == 1 ? 1 : stride;
         streams_out_ += N;
     }
@@ -222,18 +219,6 @@ private:
         batch_.uniform[4] = unit.excess;
     }
 
-    // So that the loops can load registers full of them.
-    [[gnu::noinline]] void repeat_scalars() noexcept {
-        int used = 0;
-        for (int g = 0; g < inputs_; ++g) {
-            if (in_[g].count != 1 || batch_.in_stride[g] != 0) continue;
-            T* const block = repeated_[used++];
-            const T value = *batch_.in[in_[g].first];
-            for (std::size_t k = 0; k < repeated_bytes / sizeof(T); ++k) block[k] = value;
-            batch_.in[in_[g].first] = block;
-        }
-    }
-
     batch<T> batch_;
     std::ptrdiff_t bytes_;
     bool extents_suffice_, contiguous_ = true, repeats_ = false;
@@ -241,6 +226,7 @@ private:
     const options& options_;
     status argument_;
     group in_[most_groups], out_[most_groups];
+    extent in_where_[most_groups], out_where_[most_groups];
     alignas(64) T repeated_[most_scalars][repeated_bytes / sizeof(T)];
 };
 

@@ -72,12 +72,12 @@ bool partial_overlap(T* const* out, const group& to, const T* const* in, const g
 }
 
 template <class T>
-status check_group(T* const* stream, group& g, bool written) noexcept {
+status check_group(T* const* stream, group& g, extent& where, bool written) noexcept {
     for (int k = 0; k < g.count; ++k)
         if (stream[k] == nullptr) return status::null_stream;
     if (g.size == 1) g.stride = 1;
     if ((written && g.stride == 0) || !fits<T>(g.size, g.stride)) return status::bad_argument;
-    g.where = extent_of(stream, g.count, g.size, g.stride);
+    where = extent_of(stream, g.count, g.size, g.stride);
     return status::ok;
 }
 
@@ -117,22 +117,39 @@ status check_elements(const batch<T>& b, std::size_t size, group* in, int inputs
     for (int i = 0; i < outputs; ++i)
         if (out[i].size != size) return status::size_mismatch;
     if (size == 0) return status::ok;
+    extent in_where[most_groups], out_where[most_groups];
     for (int i = 0; i < inputs; ++i)
-        if (const status bad = check_group(b.in + in[i].first, in[i], false); bad != status::ok) return bad;
+        if (const status bad = check_group(b.in + in[i].first, in[i], in_where[i], false); bad != status::ok)
+            return bad;
     for (int i = 0; i < outputs; ++i)
-        if (const status bad = check_group(b.out + out[i].first, out[i], true); bad != status::ok) return bad;
+        if (const status bad = check_group(b.out + out[i].first, out[i], out_where[i], true);
+            bad != status::ok)
+            return bad;
     for (int i = 0; i < outputs; ++i) {
         T* const* const written = b.out + out[i].first;
         for (int k = 0; k <= i; ++k)
-            if (out[i].where.overlaps(out[k].where) &&
+            if (out_where[i].overlaps(out_where[k]) &&
                 outputs_overlap(written, out[i], b.out + out[k].first, out[k]))
                 return status::partial_overlap;
         for (int k = 0; k < inputs; ++k)
-            if (out[i].where.overlaps(in[k].where) &&
+            if (out_where[i].overlaps(in_where[k]) &&
                 partial_overlap(written, out[i], b.in + in[k].first, in[k]))
                 return status::partial_overlap;
     }
     return status::ok;
+}
+
+template <class T>
+void repeat_scalars(batch<T>& b, const group* in, int inputs,
+                    T (&blocks)[most_scalars][repeated_bytes / sizeof(T)]) noexcept {
+    int used = 0;
+    for (int g = 0; g < inputs; ++g) {
+        if (in[g].count != 1 || b.in_stride[g] != 0) continue;
+        T* const block = blocks[used++];
+        const T value = *b.in[in[g].first];
+        for (std::size_t k = 0; k < repeated_bytes / sizeof(T); ++k) block[k] = value;
+        b.in[in[g].first] = block;
+    }
 }
 
 template extent extent_of_any(float* const*, int, std::size_t, std::ptrdiff_t, bool) noexcept;
@@ -141,5 +158,9 @@ template extent extent_of_any(const float* const*, int, std::size_t, std::ptrdif
 template extent extent_of_any(const double* const*, int, std::size_t, std::ptrdiff_t, bool) noexcept;
 template status check_elements(const batch<float>&, std::size_t, group*, int, group*, int) noexcept;
 template status check_elements(const batch<double>&, std::size_t, group*, int, group*, int) noexcept;
+template void repeat_scalars(batch<float>&, const group*, int,
+                             float (&)[most_scalars][repeated_bytes / sizeof(float)]) noexcept;
+template void repeat_scalars(batch<double>&, const group*, int,
+                             double (&)[most_scalars][repeated_bytes / sizeof(double)]) noexcept;
 
 }  // namespace swivel

@@ -23,7 +23,6 @@ struct group {
     int first, count;
     std::size_t size;
     std::ptrdiff_t stride;
-    extent where;
 };
 
 // The extent of streams of any stride; empty where more has to be looked at: a null pointer, more than there is
@@ -38,6 +37,13 @@ template <class T>
 template <class T>
 status check_elements(const batch<T>& b, std::size_t size, group* in, int inputs, group* out,
                       int outputs) noexcept;
+
+inline constexpr int most_scalars = 2;
+
+// Fills a block with each scalar that is the same for all elements, so that the loops can load registers full of it.
+template <class T>
+void repeat_scalars(batch<T>& b, const group* in, int inputs,
+                    T (&blocks)[most_scalars][repeated_bytes / sizeof(T)]) noexcept;
 
 }  // namespace swivel
 
