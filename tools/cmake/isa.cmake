@@ -98,6 +98,8 @@ function(swivel_add_kernels target)
         target_compile_options(swivel_${isa} PRIVATE
             ${swivel_warnings} ${swivel_kernel_warnings} ${flags} -O2 -g0 -ffp-contract=off -fno-exceptions -fno-rtti
             -fno-math-errno -fno-lto -ffunction-sections -fdata-sections)
+        # Parsed once for each ISA: that is half of what a source of kernels takes.
+        target_precompile_headers(swivel_${isa} PRIVATE <xsimd/xsimd.hpp>)
         if(SWIVEL_SANITIZE)
             target_compile_options(swivel_${isa} PRIVATE -fno-sanitize=all)
         endif()
