@@ -18,7 +18,8 @@
 //
 // Contract shared by every operation that takes views
 //
-//   Never throws, never allocates, takes no lock, and may be called from any thread at any time. The floating
+//   Never throws, never allocates, takes no lock, and may be called from any thread at any time; a call takes at
+//   most 16 KiB of stack, whatever the sizes and strides (stack_test.cpp). The floating
 //   point environment (rounding mode, flush to zero) is used as found; the stated figures are for the default.
 //   Of the exception flags inexact alone is raised on ordinary data and on still data (no motion, b = a, vectors of
 //   zeros where they are allowed), which is as quick as any other; beside poles and other singular places, and where

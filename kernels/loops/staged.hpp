@@ -8,9 +8,12 @@
 namespace swivel {
 namespace {
 
-// Bytes of one stream: 512 where the streams of an operation are few enough to stay below 16 KiB together.
+// Bytes of one stream: so many that all of an operation stay below 7 KiB, since a call is to take no more than 16 KiB
+// of stack with what the registers of the operation spill. At least one register of the widest ISA.
 template <class Op>
-inline constexpr std::size_t block_bytes = Op::reads::count + Op::writes::count <= 28 ? 512 : 256;
+inline constexpr std::size_t block_bytes = Op::reads::count + Op::writes::count <= 13   ? 512
+                                           : Op::reads::count + Op::writes::count <= 28 ? 256
+                                                                                        : 64;
 
 // One view as it lies in memory, and the blocks that stand for it; without blocks it is used where it is.
 template <class V, class T>
@@ -19,7 +22,10 @@ struct staged_group {
     std::ptrdiff_t stride;
     int components;
     scalar_of<V>* block = nullptr;
-    quaternions<V, T> array;
+    // Of an array of quaternions, else null. The shuffle of its places is made anew for each block: kept, those of all
+    // groups would take kilobytes.
+    T* array = nullptr;
+    std::ptrdiff_t place[4];
 
     // Element `at` of each of its streams.
     T* element(int k, std::size_t at) const noexcept {
@@ -32,21 +38,24 @@ template <class V, class T>
 inline scalar_of<V>* take_blocks(staged_group<V, T>& g, scalar_of<V>* room, std::size_t block) noexcept {
     if (g.stride == 1 || (g.components == 1 && g.stride == 0)) return room;
     g.block = room;
-    if (g.components == 4) g.array.find(g.stream, g.stride);
+    if (g.components == 4) g.array = quaternion_array(g.stream, g.stride, g.place);
     return room + static_cast<std::size_t>(g.components) * block;
 }
 
+// Out of line, as is put_back: their registers need not be on the stack while the operation runs.
 template <class V, class T>
-inline void fetch(const staged_group<V, T>& g, std::size_t at, std::size_t count,
-                  std::size_t block) noexcept {
-    if (g.array.first != nullptr) {
+[[gnu::noinline]] void fetch(const staged_group<V, T>& g, std::size_t at, std::size_t count,
+                             std::size_t block) noexcept {
+    if (g.array != nullptr) {
+        quaternion_shuffle<V> shuffle;
+        shuffle.set(g.place);
         for (std::size_t e = 0; e < count; e += V::size) {
             V four[4];
-            T* const from = g.array.first + 4 * (at + e);
+            T* const from = g.array + 4 * (at + e);
             if (count - e >= V::size)
-                g.array.shuffle.load(from, four);
+                shuffle.load(from, four);
             else
-                load_first_quaternions<V>(g.array.shuffle, from, count - e, four);
+                load_first_quaternions<V>(shuffle, from, count - e, four);
             for (std::size_t k = 0; k < 4; ++k) four[k].store_aligned(g.block + k * block + e);
         }
         return;
@@ -59,17 +68,19 @@ inline void fetch(const staged_group<V, T>& g, std::size_t at, std::size_t count
 }
 
 template <class V, class T>
-inline void put_back(const staged_group<V, T>& g, std::size_t at, std::size_t count,
-                     std::size_t block) noexcept {
-    if (g.array.first != nullptr) {
+[[gnu::noinline]] void put_back(const staged_group<V, T>& g, std::size_t at, std::size_t count,
+                                std::size_t block) noexcept {
+    if (g.array != nullptr) {
+        quaternion_shuffle<V> shuffle;
+        shuffle.set(g.place);
         for (std::size_t e = 0; e < count; e += V::size) {
             V four[4];
             for (std::size_t k = 0; k < 4; ++k) four[k] = V::load_aligned(g.block + k * block + e);
-            T* const to = g.array.first + 4 * (at + e);
+            T* const to = g.array + 4 * (at + e);
             if (count - e >= V::size)
-                g.array.shuffle.store(four, to);
+                shuffle.store(four, to);
             else
-                store_first_quaternions<V>(g.array.shuffle, four, to, count - e);
+                store_first_quaternions<V>(shuffle, four, to, count - e);
         }
         return;
     }

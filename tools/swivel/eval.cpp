@@ -74,17 +74,24 @@ std::vector<std::string> split_at_commas(std::string_view text) {
     return parts;
 }
 
-// The names of the columns that are read, by default or as --columns says.
-std::vector<std::string> names_in_table(const std::vector<operations::group>& groups,
-                                        const std::vector<std::string>& given) {
-    std::vector<std::vector<std::string>> names;
-    std::vector<bool> is_given(groups.size(), false);
-    std::string keys;
-    for (const operations::group& g : groups) {
-        names.push_back(operations::stream_names(g));
-        keys += (keys.empty() ? "" : " ") + key_of(g);
+// The names of the columns that are read, group by group.
+struct column_names {
+    const std::vector<operations::group>& groups;
+    std::vector<std::vector<std::string>> names = {};
+    std::vector<bool> is_given = {};  // by --columns
+    std::string keys = {};            // of all groups
+
+    explicit column_names(const std::vector<operations::group>& read) : groups(read) {
+        for (const operations::group& g : groups) {
+            names.push_back(operations::stream_names(g));
+            is_given.push_back(false);
+            if (!keys.empty()) keys += ' ';
+            keys += key_of(g);
+        }
     }
-    for (const std::string& mapping : given) {
+
+    // As GROUP=NAME,... says.
+    void rename(const std::string& mapping) {
         const std::size_t equals = mapping.find('=');
         if (equals == std::string::npos)
             throw bad_usage("--columns: '" + mapping +
@@ -98,33 +105,39 @@ std::vector<std::string> names_in_table(const std::vector<operations::group>& gr
         const auto place = static_cast<std::size_t>(group - groups.begin());
         if (is_given[place]) throw bad_usage("--columns: the group '" + key + "' is named twice");
         is_given[place] = true;
-        std::vector<std::string>& replaced = names[place];
         std::vector<std::string> wanted = split_at_commas(std::string_view(mapping).substr(equals + 1));
-        if (wanted.size() != replaced.size()) {
+        if (wanted.size() != names[place].size()) {
             std::string usual;
-            for (const std::string& name : replaced) usual += " " + name;
+            for (const std::string& name : names[place]) usual.append(" ").append(name);
             throw bad_usage("--columns: " + std::to_string(wanted.size()) + " names for '" + key +
-                            "', expected " + std::to_string(replaced.size()) + ", for" + usual);
+                            "', expected " + std::to_string(names[place].size()) + ", for" + usual);
         }
-        replaced = std::move(wanted);
+        names[place] = std::move(wanted);
     }
-    std::vector<std::string> all;
-    for (const std::vector<std::string>& of_group : names)
-        all.insert(all.end(), of_group.begin(), of_group.end());
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (all[i].empty()) throw bad_usage("--columns: a name is empty");
-        if (std::find(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i), all[i]) !=
-            all.begin() + static_cast<std::ptrdiff_t>(i))
-            throw bad_usage("--columns: the column '" + all[i] + "' is read twice");
+
+    [[nodiscard]] std::vector<std::string> all() const {
+        std::vector<std::string> every;
+        for (const std::vector<std::string>& of_group : names)
+            for (const std::string& name : of_group) {
+                if (name.empty()) throw bad_usage("--columns: a name is empty");
+                if (std::find(every.begin(), every.end(), name) != every.end()) throw read_twice(name);
+                every.push_back(name);
+            }
+        return every;
     }
-    return all;
-}
+
+    static bad_usage read_twice(const std::string& name) {
+        return bad_usage("--columns: the column '" + name + "' is read twice");
+    }
+};
 
 void evaluate(const operations::operation& operation, eval_arguments& arguments) {
     // Before the input is looked at: contradictions are bad usage whatever the data are.
     const operations::groups groups = operation.groups(arguments.settings);
     if (!groups.fault.empty()) throw bad_usage(groups.fault);
-    arguments.stream.names = names_in_table(groups.in, arguments.columns);
+    column_names names(groups.in);
+    for (const std::string& mapping : arguments.columns) names.rename(mapping);
+    arguments.stream.names = names.all();
     const separator between = arguments.stream.between;
     if (arguments.stream.decimal == ',' && (between == separator::of_line || between == separator::comma))
         throw bad_usage("--decimal ',' goes with --separator ';' or tab");

@@ -43,6 +43,7 @@ std::vector<operations::number> parse_numbers(const std::string& name, const std
     std::vector<field> fields;
     if (split_row(given, fields)) throw bad_usage(name + ": '" + given + "' is no list of numbers");
     std::vector<operations::number> numbers;
+    numbers.reserve(fields.size());
     for (const field& f : fields) numbers.push_back(parse_finite(name, f.text, "no finite number"));
     return numbers;
 }
