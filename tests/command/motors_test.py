@@ -219,6 +219,8 @@ class Motors(EvalTest):
             self.check("blend", header, given, columns("m"), expected, *options)
         self.fails(2, "--motors: ", "eval", "blend", "--motors", "0", stdin="")
         self.fails(2, "--motors: ", "eval", "blend", "--motors", "257", stdin="")
+        self.fails(2, "--weights: one for each of the --motors", "eval", "blend", "--weights", "1,2,3", stdin="")
+        self.fails(2, "--weights: 'a' is no finite number", "eval", "blend", "--weights", "1,a", stdin="")
         self.fails(1, "<stdin>:1:", "eval", "blend", "--motors", "3", stdin=columns("m1", "m2") + " w1 w2\n")
 
     def test_decompose_is_swing_twist_and_translation_and_compose_the_inverse(self):

@@ -248,6 +248,26 @@ class Operations(EvalTest):
             for q, v, row in zip(rotations, vectors, out):
                 self.assertNear(row, multiply(multiply(q, v + (0.0,)), conjugate(q))[:3])
 
+    def test_rotate_by_one_rotation_is_rotate_by_it_in_every_row(self):
+        generator = random.Random(18)
+        q = random_rotations(1, 18)[0]
+        vectors = [tuple(generator.uniform(-9, 9) for _ in range(3)) for _ in range(50)]
+        _, each = self.evaluate("rotate", table("vx vy vz " + HEADER, [v + q for v in vectors]))
+        _, one = self.evaluate("rotate", table("vx vy vz\n", vectors), "--by", ",".join(map(repr, q)))
+        for a, b in zip(each, one):
+            self.assertNear(a, b, 1e-14)
+        for given, message in (("0,0,1", "--by: '0,0,1' is not four numbers, x y z w"),
+                               ("0,0,1,x", "--by: 'x' is no finite number"),
+                               ("0,0,1,nan", "--by: 'nan' is no finite number")):
+            self.fails(2, message, "eval", "rotate", "--by", given, stdin="vx vy vz\n")
+
+    def test_angle_between_is_twice_the_arc_cosine_of_the_product(self):
+        a, b = random_rotations(60, 19), random_rotations(60, 20)
+        names, out = self.evaluate("angle_between", table("ax ay az aw bx by bz bw\n", [p + q for p, q in zip(a, b)]))
+        self.assertEqual(names, ["angle"])
+        for p, q, row in zip(a, b, out):
+            self.assertNear(row, [2 * math.acos(abs(math.fsum(x * y for x, y in zip(p, q))))], 1e-7)
+
     def test_dot_is_the_sum_of_the_products(self):
         a, b = random_rotations(60, 14), random_rotations(60, 15)
         names, out = self.evaluate("dot", table("ax ay az aw bx by bz bw\n", [p + q for p, q in zip(a, b)]))
