@@ -15,8 +15,8 @@
 // Singular   Nowhere.
 // NaN/Inf    An element with a NaN or an infinity in any component of a or b comes out as NaN; no other element is
 //            affected.
-// Accuracy   Of quaternions of the same length to 2^-11 of it, 6 units of 2^-24 (float) or 2^-53 (double) relative to
-//            the angle, down to the smallest, and 2^-9 units of a radian; of others 7 units of a radian
+// Accuracy   Of quaternions of the same length to 2^-11 of it, 7.5 units of 2^-24 (float) or 2^-53 (double) relative to
+//            the angle, down to the smallest, and 2^-9 units of a radian; of others 9 units of a radian
 //            (angle_between_test.cpp).
 // Identity   b = a and b = -a give 0 exactly.
 // Aliasing   The output may be exactly a stream of an input (types.hpp).
