@@ -102,110 +102,113 @@ std::vector<library_row> rows_of(const swivel::operations::operation& o) {
     return rows;
 }
 
+template <class T>
+using block = swivel::operations::block<T>;
+
+template <class T>
+void add(block<T>& to, const swivel::quat_view<T>& v) {
+    to.add(std::vector{v.x, v.y, v.z, v.w}, v.stride);
+}
+template <class T>
+void add(block<T>& to, const swivel::vec3_view<T>& v) {
+    to.add(std::vector{v.x, v.y, v.z}, v.stride);
+}
+template <class T>
+void add(block<T>& to, const swivel::factor_view<T>& v) {
+    to.add(std::vector{v.s1, v.s2, v.sc, v.ts, v.tc}, 1);
+}
+template <class T>
+void add(block<T>& to, const swivel::matrix_view<T>& v) {
+    to.add(std::vector{v.xx, v.xy, v.xz, v.yx, v.yy, v.yz, v.zx, v.zy, v.zz}, v.stride);
+}
+template <class T>
+void add(block<T>& to, const swivel::motor_view<T>& v) {
+    to.add(std::vector{v.x, v.y, v.z, v.w, v.dx, v.dy, v.dz, v.dw}, v.stride);
+}
+template <class T>
+void add(block<T>& to, const swivel::conformal_view<T>& v) {
+    to.add(v.blade, v.stride);
+}
+template <class T>
+void add(block<T>& to, const swivel::bivector_view<T>& v) {
+    to.add(v.blade, v.stride);
+}
+template <class T>
+void add(block<T>& to, const swivel::spinor_view<T>& v) {
+    to.add(std::vector{v.a, v.b, v.c, v.d}, v.stride);
+}
+template <class T>
+void add(block<T>& to, const swivel::scalar_view<T>& v) {
+    to.add(std::vector{v.data}, v.stride);
+}
+
 // How many groups of a kind have been taken: those after the first are filled with other numbers.
 struct taken {
     std::size_t rotations = 0, motors = 0, vectors = 0;
 };
 
 template <class T>
-void take_input(workload<T>& streams, const group& g, taken& before, swivel::operations::block<const T>& in) {
+void take_input(workload<T>& streams, const group& g, taken& before, block<const T>& in) {
     switch (g.kind) {
-        case group_kind::quaternion: {
-            const auto q = before.rotations++ == 0 ? streams.rotations() : streams.other_rotations();
-            return in.add(std::vector{q.x, q.y, q.z, q.w}, q.stride);
-        }
-        case group_kind::vector: {
-            const auto v = g.meaning == meaning::logarithm ? streams.logarithms()
-                           : before.vectors++ == 0         ? streams.axes()
-                                                           : streams.other_axes();
-            return in.add(std::vector{v.x, v.y, v.z}, v.stride);
-        }
-        case group_kind::factors: {
-            const auto f = streams.factors();
-            return in.add(std::vector{f.s1, f.s2, f.sc, f.ts, f.tc}, 1);
-        }
-        case group_kind::matrix: {
-            const auto m = streams.matrices();
-            return in.add(std::vector{m.xx, m.xy, m.xz, m.yx, m.yy, m.yz, m.zx, m.zy, m.zz}, m.stride);
-        }
-        case group_kind::motor: {
-            const auto m = streams.motors(before.motors++);
-            return in.add(std::vector{m.x, m.y, m.z, m.w, m.dx, m.dy, m.dz, m.dw}, m.stride);
-        }
-        case group_kind::conformal: {
-            const auto r = streams.rotors();
-            return in.add(r.blade, r.stride);
-        }
-        case group_kind::bivector: {
-            const auto b = streams.bivectors();
-            return in.add(b.blade, b.stride);
-        }
-        case group_kind::spinor: {
-            const auto s = streams.spinors();
-            return in.add(std::vector{s.a, s.b, s.c, s.d}, s.stride);
-        }
+        case group_kind::quaternion:
+            return add(in, before.rotations++ == 0 ? streams.rotations() : streams.other_rotations());
+        case group_kind::vector:
+            if (g.meaning == meaning::logarithm) return add(in, streams.logarithms());
+            return add(in, before.vectors++ == 0 ? streams.axes() : streams.other_axes());
+        case group_kind::factors:
+            return add(in, streams.factors());
+        case group_kind::matrix:
+            return add(in, streams.matrices());
+        case group_kind::motor:
+            return add(in, streams.motors(before.motors++));
+        case group_kind::conformal:
+            return add(in, streams.rotors());
+        case group_kind::bivector:
+            return add(in, streams.bivectors());
+        case group_kind::spinor:
+            return add(in, streams.spinors());
         case group_kind::scalar:
-            break;
+            return add(in, streams.parameters());
     }
-    const auto t = streams.parameters();
-    in.add(std::vector{t.data}, t.stride);
 }
 
 template <class T>
-void take_output(workload<T>& streams, const group& g, swivel::operations::block<T>& out) {
+void take_output(workload<T>& streams, const group& g, block<T>& out) {
     switch (g.kind) {
-        case group_kind::quaternion: {
-            const auto q = streams.quaternions();
-            return out.add(std::vector{q.x, q.y, q.z, q.w}, q.stride);
-        }
-        case group_kind::vector: {
-            const auto v = streams.vectors();
-            return out.add(std::vector{v.x, v.y, v.z}, v.stride);
-        }
-        case group_kind::factors: {
-            const auto f = streams.written_factors();
-            return out.add(std::vector{f.s1, f.s2, f.sc, f.ts, f.tc}, 1);
-        }
-        case group_kind::matrix: {
-            const auto m = streams.written_matrices();
-            return out.add(std::vector{m.xx, m.xy, m.xz, m.yx, m.yy, m.yz, m.zx, m.zy, m.zz}, m.stride);
-        }
-        case group_kind::motor: {
-            const auto m = streams.written_motors();
-            return out.add(std::vector{m.x, m.y, m.z, m.w, m.dx, m.dy, m.dz, m.dw}, m.stride);
-        }
-        case group_kind::conformal: {
-            const auto r = streams.written_rotors();
-            return out.add(r.blade, r.stride);
-        }
-        case group_kind::bivector: {
-            const auto b = streams.written_bivectors();
-            return out.add(b.blade, b.stride);
-        }
-        case group_kind::spinor: {
-            const auto s = streams.written_spinors();
-            return out.add(std::vector{s.a, s.b, s.c, s.d}, s.stride);
-        }
+        case group_kind::quaternion:
+            return add(out, streams.quaternions());
+        case group_kind::vector:
+            return add(out, streams.vectors());
+        case group_kind::factors:
+            return add(out, streams.written_factors());
+        case group_kind::matrix:
+            return add(out, streams.written_matrices());
+        case group_kind::motor:
+            return add(out, streams.written_motors());
+        case group_kind::conformal:
+            return add(out, streams.written_rotors());
+        case group_kind::bivector:
+            return add(out, streams.written_bivectors());
+        case group_kind::spinor:
+            return add(out, streams.written_spinors());
         case group_kind::scalar:
-            break;
+            return add(out, streams.scalars());
     }
-    const auto s = streams.scalars();
-    out.add(std::vector{s.data}, s.stride);
 }
 
 // Those that fit in the memory of the rows.
 constexpr std::size_t most_bytes = std::size_t{5} << 28;
 
 template <class T>
-void add(const library_row& row, std::string_view op, std::string_view who, layout l,
-         swivel::operations::function<T> function, settings set, swivel::isa which) {
+void add_sizes(const library_row& row, std::string_view op, std::string_view who, layout l,
+               swivel::operations::function<T> function, settings set, swivel::isa which) {
     const swivel::operations::groups groups = row.operation->groups(set);
     const std::size_t count = swivel::operations::stream_names(groups.in).size() +
                               swivel::operations::stream_names(groups.out).size();
     const auto prepare = [groups, function, set, which](workload<T>& streams) {
         if (swivel::set_active_isa(which) != swivel::status::ok) std::abort();
-        swivel::operations::block<const T> in;
-        swivel::operations::block<T> out;
+        block<const T> in;
+        block<T> out;
         taken before;
         for (const group& g : groups.in) take_input(streams, g, before, in);
         for (const group& g : groups.out) take_output(streams, g, out);
@@ -233,12 +236,12 @@ void add_all(const library_row& row) {
                 std::string op = row.name;
                 if (p == swivel::precision::reproducible)
                     op.insert(std::min(op.find('/'), op.size()), "_reproducible");
-                add<T>(row, op, swivel::name(which), l, row.operation->library.as<T>(), set, which);
+                add_sizes<T>(row, op, swivel::name(which), l, row.operation->library.as<T>(), set, which);
             }
     }
     // Plain code from the formulas, one element after the other.
-    add<T>(row, row.name, "reference", layout::soa, row.operation->reference.as<T>(), row.set,
-           swivel::active_isa());
+    add_sizes<T>(row, row.name, "reference", layout::soa, row.operation->reference.as<T>(), row.set,
+                 swivel::active_isa());
 }
 
 }  // namespace
