@@ -1,7 +1,5 @@
 #include "operations/operation.hpp"
 
-#include <string_view>
-
 namespace swivel::operations {
 
 const std::vector<const operation*>& all() {
@@ -13,12 +11,6 @@ const std::vector<const operation*>& all() {
         return operations;
     }();
     return every;
-}
-
-const operation* find(std::string_view name) {
-    for (const operation* const o : all())
-        if (name == o->name) return o;
-    return nullptr;
 }
 
 }  // namespace swivel::operations

@@ -9,7 +9,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -146,8 +145,6 @@ struct operation {
 
 // All of them, family by family.
 [[nodiscard]] const std::vector<const operation*>& all();
-// Null where there is none of the name.
-[[nodiscard]] const operation* find(std::string_view name);
 
 }  // namespace swivel::operations
 
